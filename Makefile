@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# make run     set up what is missing, build, mesh and solve a real solid, show where it is
+# make test    set up, build, and run everything that can fail
+# make bench   time and memory of every stage, and how they grow
+# make build   the core alone, in place
+# FREECADCMD and PYTHON may name another FreeCAD and its interpreter.
+
+FREECADCMD ?= freecadcmd
+export FREECADCMD
+# Searched once, and only by the rules that need it: FreeCAD may have to be installed first.
+python = $(eval python := $(shell scripts/find-python.sh))$(python)
+build = build/release
+sanitized = build/sanitized
+sources = $(shell git ls-files 'hexcon_native/*.[ch]' 'tests/native/*.[ch]' 2>/dev/null || \
+            find hexcon_native tests/native -name '*.[ch]')
+native = $(wildcard hexcon_native/src/*/*.c)
+
+.PHONY: run test build bench setup-run setup-test lint native-test python-test clean
+
+run: setup-run build
+	@echo "HexCon: $$(command -v $(FREECADCMD)), Python $(python)"
+	@PYTHONPATH=.:workbench HEXCON_GMSH_PYTHON=$(python) $(FREECADCMD) resources/examples/run_bracket.py </dev/null
+
+test: setup-test build lint native-test python-test
+
+setup-run setup-test:
+	@env FREECADCMD=$(filter-out freecadcmd,$(FREECADCMD)) scripts/setup.sh $(@:setup-%=%)
+
+build:
+	@[ -f $(build)/build.ninja ] || cmake -S hexcon_native -B $(build) -G Ninja \
+	  -DPython3_EXECUTABLE=$(python) >/dev/null
+	@ninja -C $(build) --quiet
+
+lint: build
+	clang-format --dry-run --Werror $(sources)
+	cppcheck --quiet --error-exitcode=1 --std=c11 --enable=warning,performance,portability \
+	  --inline-suppr -Ihexcon_native/include -Ihexcon_native/src $(native)
+	clang-tidy --quiet -p $(build) $(native) 2>/dev/null
+
+native-test:
+	@[ -f $(sanitized)/build.ninja ] || cmake -S hexcon_native -B $(sanitized) -G Ninja \
+	  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DHEXCON_SANITIZE=ON -DHEXCON_TESTS=ON \
+	  -DHEXCON_PYTHON=OFF >/dev/null
+	ninja -C $(sanitized) --quiet
+	ctest --test-dir $(sanitized) --output-on-failure --parallel 2
+
+python-test:
+	@echo "HexCon: testing with $(python) and $$(command -v $(FREECADCMD))"
+	PYTHONPATH=.:workbench $(python) -m pytest -q -p no:cacheprovider tests
+
+bench: setup-run build
+	ninja -C $(build) --quiet hexcon_bench
+	$(build)/hexcon_bench
+
+clean:
+	rm -rf build output hexcon_native/*.abi3.so

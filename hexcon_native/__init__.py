@@ -1,0 +1,371 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""HexCon's core: hexahedral meshes whose boundary is exactly a given quad surface.
+
+Arrays in, arrays out, no other program. All ids are 0-based; quads are counter-clockwise seen
+from outside; hexes are in VTK order. The GIL is released while the core works; Ctrl-C and a
+`progress` callback cancel. Every fault is a HexconError with a code and the offending ids.
+"""
+import enum
+
+import numpy as np
+
+from .errors import HexconError
+
+try:
+    from . import _core
+except ImportError as fault:
+    raise ImportError(
+        "HexCon's native core is missing or does not load "
+        f"({fault}). Build it with `make build` in HexCon's folder."
+    ) from fault
+
+ErrorCode = enum.IntEnum("ErrorCode", _core.status_codes())
+ErrorCode.__doc__ = "One member per fault of the core; include/hexcon.h says what each means."
+
+METHODS = {"auto": 0, "swept": 1}
+
+__all__ = [
+    "Certificate", "ErrorCode", "HexconError", "Loops", "METHODS", "Mesh", "Quality",
+    "SurfaceReport", "certify", "check_surface", "colouring", "loops", "mesh", "optimize",
+    "quality",
+]
+
+
+def _raise(message, status, elements):
+    """Called by the extension module for every status that is not OK."""
+    raise HexconError(message, ErrorCode(status), elements)
+
+
+# ---------------------------------------------------------------------------- arrays at the border
+
+def _points(points):
+    try:
+        array = np.asarray(points)
+        if array.dtype.kind not in "fiu":
+            raise TypeError
+        array = np.ascontiguousarray(array, dtype=np.float64)
+    except (TypeError, ValueError) as fault:
+        raise HexconError("points must be real numbers, convertible to float64",
+                          ErrorCode.WRONG_TYPE) from fault
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise HexconError(f"points must have shape (P, 3), not {array.shape}",
+                          ErrorCode.WRONG_SHAPE)
+    return array
+
+
+def _ids(ids, width, name):
+    """Rows of 0-based ids as contiguous int32; ids that int32 cannot hold are out of range."""
+    try:
+        array = np.asarray(ids)
+    except ValueError as fault:
+        raise HexconError(f"{name} must be a rectangular array of ids",
+                          ErrorCode.WRONG_SHAPE) from fault
+    if array.ndim != 2 or array.shape[1] != width:
+        raise HexconError(f"{name} must have shape (., {width}), not {array.shape}",
+                          ErrorCode.WRONG_SHAPE)
+    if array.dtype.kind not in "iu":
+        raise HexconError(f"{name} must be integers, not {array.dtype}", ErrorCode.WRONG_TYPE)
+    wide = (array < 0) | (array > np.iinfo(np.int32).max)
+    if wide.any():
+        rows = np.flatnonzero(wide.any(axis=1))
+        raise HexconError(f"{len(rows)} rows of {name} (listed) hold ids outside 0 .. 2^31 - 1",
+                          ErrorCode.INDEX_OUT_OF_RANGE, rows)
+    return np.ascontiguousarray(array, dtype=np.int32)
+
+
+def _hexes(hexes):
+    """Rows of 8 ids; of second-order hexes (20 ids) the corners, as their edges are straight."""
+    array = np.asarray(hexes)
+    if array.ndim == 2 and array.shape[1] == 20:
+        array = array[:, :8]
+    return _ids(array, 8, "hexes")
+
+
+def _array(buffer, dtype, width=None):
+    array = np.frombuffer(buffer, dtype=dtype)
+    return array.reshape(-1, width) if width else array
+
+
+# --------------------------------------------------------------------------------------- surface
+
+class Loops:
+    """Dual loops in figures.
+
+    lengths          (L,) int64, quads passed by each loop
+    self_crossings   (L,) int64, quads that each loop passes twice
+    """
+
+    def __init__(self, lengths, self_crossings):
+        self.lengths = lengths
+        self.self_crossings = self_crossings
+
+    def __len__(self):
+        return len(self.lengths)
+
+    def __repr__(self):
+        crossing = int(np.count_nonzero(self.self_crossings))
+        return f"<{len(self)} loops, {crossing} cross themselves>"
+
+
+class SurfaceReport:
+    """Facts of a closed quad surface.
+
+    n, points, edges      counts
+    genus, components     of the whole; euler = points - edges + quads
+    even                  every component has an even number of quads
+    bipartite             the points can be coloured black and white along edges
+    oriented              quads face outward as given; False: all face inward, and `mesh` turns them
+    convex                no edge is concave by more than the warp of its quads
+    star_center           (3,) the deepest point that sees every corner triangle, or None
+    star_margin           its distance to the nearest corner plane, in the unit of the points
+    volume                enclosed, positive
+    loops                 Loops
+    """
+
+    def __init__(self, facts, loop_figures):
+        self.n = facts["quads"]
+        for name in ("points", "edges", "genus", "components", "euler", "even", "bipartite",
+                     "oriented", "convex", "star_margin"):
+            setattr(self, name, facts[name])
+        self.star_center = np.array(facts["star_center"]) if facts["star_shaped"] else None
+        self.volume = abs(facts["volume"])
+        self.loops = loop_figures
+
+    def as_dict(self):
+        """Plain numbers, for JSON."""
+        facts = {k: v for k, v in vars(self).items() if k not in ("loops", "star_center")}
+        facts["star_center"] = None if self.star_center is None else self.star_center.tolist()
+        facts["loops"] = {"count": len(self.loops),
+                          "lengths": self.loops.lengths.tolist(),
+                          "self_crossings": self.loops.self_crossings.tolist()}
+        return facts
+
+    def __repr__(self):
+        return (f"<surface of {self.n} quads, {self.points} points, genus {self.genus}, "
+                f"{self.components} component(s), {'even' if self.even else 'odd'}, {self.loops}>")
+
+
+def check_surface(points, quads):
+    """Check a surface and tell its facts.
+
+    points  (P, 3) float; quads (n, 4) int, 0-based.
+    Returns a SurfaceReport. Raises HexconError with codes WRONG_SHAPE, WRONG_TYPE, EMPTY,
+    TOO_LARGE, INDEX_OUT_OF_RANGE, NOT_FINITE, REPEATED_VERTEX, UNUSED_POINT, NON_MANIFOLD_EDGE,
+    NOT_CLOSED, NOT_ORIENTABLE, INCONSISTENT_ORIENTATION, NON_MANIFOLD_VERTEX, OUT_OF_MEMORY.
+    An odd, a non-bipartite or an inward surface, or one of several components, is reported, not
+    raised. Cost: linear in n.
+    """
+    quads = _ids(quads, 4, "quads")
+    facts = _core.check_surface(_points(points), quads)
+    offsets, _, crossings = _core.loops(quads)
+    figures = Loops(np.diff(_array(offsets, np.uintp)).astype(np.int64),
+                    _array(crossings, np.uintp).astype(np.int64))
+    return SurfaceReport(facts, figures)
+
+
+def loops(quads):
+    """Dual loops: a list of int32 arrays, the quads each loop passes, in order.
+
+    Every quad occurs twice in all. Raises as check_surface. Cost: linear in n.
+    """
+    offsets, passed, _ = _core.loops(_ids(quads, 4, "quads"))
+    return np.split(_array(passed, np.int32), _array(offsets, np.uintp)[1:-1].astype(np.int64))
+
+
+def colouring(quads):
+    """2-colouring of the points along edges: (P,) uint8, 0 black, 1 white, P the largest id + 1.
+
+    The lowest id of each component is black. Raises as check_surface, and NOT_BIPARTITE with the
+    points of an odd cycle in order. Cost: linear in n and P.
+    """
+    quads = _ids(quads, 4, "quads")
+    return _array(_core.colouring(quads, int(quads.max(initial=-1)) + 1), np.uint8)
+
+
+# ------------------------------------------------------------------------------------------ meshes
+
+class Certificate:
+    """What is proved of a hex mesh.
+
+    certified        all of the below hold, and the Jacobian of every hex is positive everywhere
+    conforming       a 3-manifold: faces in at most two hexes, links are spheres or discs
+    proper           two hexes meet in nothing, one vertex, one edge or one face
+    boundary_exact   the faces in one hex only are the given quads, outward
+    nonpositive      (K,) int32, hexes whose Jacobian is not proved positive
+    undecided        how many of them are not proved non-positive either
+    doublets         (D, 2) int32, pairs of hexes that share two or more faces
+    improper         (I,) int32, hexes that meet another improperly
+    euler            points - edges + faces - hexes
+    """
+
+    def __init__(self, facts):
+        self.certified = facts["certified"]
+        self.conforming = facts["conforming"]
+        self.proper = facts["proper"]
+        self.boundary_exact = facts["boundary_exact"]
+        self.euler = facts["euler"]
+        self.undecided = facts["undecided"]
+        self.nonpositive = _array(facts["nonpositive"], np.int32)
+        self.doublets = _array(facts["doublets"], np.int32, 2)
+        self.improper = _array(facts["improper"], np.int32)
+
+    def as_dict(self):
+        """Plain numbers, for JSON; lists are cut at 1000 entries."""
+        facts = dict(vars(self))
+        for name in ("nonpositive", "doublets", "improper"):
+            facts[name + "_count"] = len(facts[name])
+            facts[name] = facts[name][:1000].tolist()
+        return facts
+
+    def __repr__(self):
+        if self.certified:
+            return "<certified>"
+        return (f"<not certified: conforming {self.conforming}, proper {self.proper}, boundary "
+                f"exact {self.boundary_exact}, {len(self.nonpositive)} hexes not positive>")
+
+
+class Quality:
+    """Quality of a hex mesh.
+
+    scaled_jacobian  (H,) float64, Verdict's, in [-1, 1]
+    min, mean, q05   of it; q05 is the 5 % quantile
+    """
+
+    def __init__(self, scaled_jacobian):
+        self.scaled_jacobian = scaled_jacobian
+        self.min = float(scaled_jacobian.min())
+        self.mean = float(scaled_jacobian.mean())
+        self.q05 = float(np.quantile(scaled_jacobian, 0.05))
+
+    def as_dict(self):
+        """Plain numbers, for JSON."""
+        return {"min": self.min, "mean": self.mean, "q05": self.q05}
+
+    def __repr__(self):
+        return f"<scaled Jacobian min {self.min:.4f}, 5 % {self.q05:.4f}, mean {self.mean:.4f}>"
+
+
+class Mesh:
+    """A hex mesh and what is known of it.
+
+    points       (P, 3) float64; rows 0 .. V-1 are the surface's points, bit for bit
+    hexes        (H, 8) int32, or (H, 20) at order 2; VTK order, positive orientation
+    quads        (n, 4) int32, the surface's quads in their order, outward
+    order        1 or 2 (mid-edge points on straight edges)
+    method       what made it
+    certificate  Certificate
+    quality      Quality
+    report       dict of figures: counts, "seconds <stage>", quality
+    """
+
+    def __init__(self, facts):
+        self.order = facts["order"]
+        self.points = _array(facts["points"], np.float64, 3)
+        self.hexes = _array(facts["hexes"], np.int32, 20 if self.order == 2 else 8)
+        self.quads = _array(facts["quads"], np.int32, 4)
+        self.method = facts["method"]
+        self.certificate = Certificate(facts["certificate"])
+        self.quality = Quality(_array(facts["quality"], np.float64))
+        self.report = dict(facts["report"], hexes=len(self.hexes), points=len(self.points),
+                           quality=self.quality.as_dict())
+
+    def __repr__(self):
+        return (f"<{self.method} mesh of {len(self.hexes)} hexes, order {self.order}, "
+                f"{self.certificate}, {self.quality}>")
+
+
+def mesh(points, quads, method="auto", *, order=1, threads=0, progress=None,
+         allow_uncertified=False):
+    """Fill a closed quad surface with hexes whose boundary is exactly its quads.
+
+    points, quads      as check_surface
+    method             "auto" (the best of what exists, today: swept) or "swept"
+    order              1, or 2 for mid-edge points on straight edges
+    threads            0: as many as the core likes; today's stages use one
+    progress           callable (stage, fraction in 0 .. 1); returning False, raising, or Ctrl-C
+                       cancels
+    allow_uncertified  return the best mesh found even if its certificate fails
+    Returns a Mesh. Raises HexconError: those of check_surface, SEVERAL_COMPONENTS, ODD, NOT_SWEPT
+    (elements: the quads where the best attempt failed), NOT_CERTIFIED (elements: hexes),
+    CANCELLED, BAD_ARGUMENT, OUT_OF_MEMORY.
+    Cost: linear in the hexes made, plus the improvement of what is bad.
+    """
+    if method not in METHODS:
+        raise HexconError(f"there is no method {method!r}; there are {', '.join(METHODS)}",
+                          ErrorCode.BAD_ARGUMENT)
+    if isinstance(threads, bool) or not isinstance(threads, int) or threads < 0:
+        raise HexconError(f"threads must be an integer of at least 0, not {threads!r}",
+                          ErrorCode.BAD_ARGUMENT)
+    if isinstance(order, bool) or order not in (1, 2):
+        raise HexconError(f"order must be 1 or 2, not {order!r}", ErrorCode.BAD_ARGUMENT)
+    return Mesh(_core.mesh(_points(points), _ids(quads, 4, "quads"), METHODS[method], int(order),
+                           allow_uncertified, progress))
+
+
+def quality(points, hexes):
+    """Scaled Jacobian of every hex. points (P, 3) float; hexes (H, 8) or (H, 20) int, VTK order.
+
+    Raises WRONG_SHAPE, WRONG_TYPE, EMPTY, TOO_LARGE, INDEX_OUT_OF_RANGE, NOT_FINITE. Linear.
+    """
+    return Quality(_array(_core.quality(_points(points), _hexes(hexes)), np.float64))
+
+
+def certify(points, hexes, quads, *, progress=None):
+    """Prove a hex mesh, or say what is wrong: see Certificate. quads (n, 4): the surface, outward.
+
+    Hexes of order 2 are judged by their corners: their edges are taken as straight.
+    Raises as quality, and REPEATED_VERTEX (a hex with a corner twice), CANCELLED, OUT_OF_MEMORY.
+    A mesh that fails raises nothing. Cost: linear in H.
+    """
+    return Certificate(_core.certify(_points(points), _hexes(hexes), _ids(quads, 4, "quads"),
+                                     progress))
+
+
+def _boundary_points(hexes, point_count):
+    faces = hexes[:, [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4],
+                      [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]].reshape(-1, 4)
+    _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True,
+                                return_counts=True)
+    fixed = np.zeros(point_count, np.uint8)
+    fixed[faces[first[count == 1]]] = 1
+    return fixed
+
+
+def _fixed_mask(fixed, hexes, point_count):
+    if fixed is None:
+        return _boundary_points(hexes, point_count)
+    fixed = np.asarray(fixed)
+    if fixed.dtype == bool:
+        if fixed.shape != (point_count,):
+            raise HexconError(f"fixed must have shape ({point_count},), not {fixed.shape}",
+                              ErrorCode.WRONG_SHAPE)
+        return np.ascontiguousarray(fixed, dtype=np.uint8)
+    ids = _ids(fixed.reshape(-1, 1), 1, "fixed").ravel()
+    if len(ids) and ids.max() >= point_count:
+        raise HexconError(f"fixed names points outside 0 .. {point_count - 1} (listed)",
+                          ErrorCode.INDEX_OUT_OF_RANGE, ids[ids >= point_count])
+    mask = np.zeros(point_count, np.uint8)
+    mask[ids] = 1
+    return mask
+
+
+def optimize(points, hexes, fixed=None, *, rounds=0, iterations=0, target=1.0, progress=None):
+    """Untangle and improve a hex mesh of order 1 by moving its free points.
+
+    points, hexes  as quality
+    fixed          (P,) bool, or ids of the points that stay; None: those of the boundary
+    rounds         neighbourhoods tried at most (0: 12); iterations of the minimiser in each (0: 100)
+    target         stop when the worst scaled Jacobian reaches it
+    Returns (P, 3) float64, never a worse mesh than it was given: no more inverted hexes, then no
+    lower worst scaled Jacobian; hexes proved positive are counted, so a certified mesh stays so.
+    Raises as certify, BAD_ARGUMENT, CANCELLED.
+    """
+    points, hexes = _points(points), _ids(hexes, 8, "hexes")
+    outside = (hexes >= len(points)).any(axis=1)
+    if outside.any():
+        raise HexconError(f"{int(outside.sum())} hexes (listed) name points outside 0 .. "
+                          f"{len(points) - 1}", ErrorCode.INDEX_OUT_OF_RANGE,
+                          np.flatnonzero(outside))
+    mask = _fixed_mask(fixed, hexes, len(points))
+    return _array(_core.optimize(points, hexes, mask, rounds, iterations, float(target), progress),
+                  np.float64, 3)

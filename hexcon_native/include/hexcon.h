@@ -1,0 +1,258 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/**
+ * @file hexcon.h
+ * HexCon's core: hexahedral meshes whose boundary is exactly a given closed quad surface.
+ *
+ * Conventions, everywhere in this header:
+ *  - ids are 0-based int32_t; counts are size_t; coordinates are double in the user's unit.
+ *  - a surface is `points` [point_count][3] and `quads` [quad_count][4], row-major, each quad
+ *    counter-clockwise seen from outside.
+ *  - a hex mesh is `points` [point_count][3] and `hexes` [hex_count][8] in VTK_HEXAHEDRON order,
+ *    positively oriented.
+ *  - arrays are the caller's; the core copies what it keeps. No array may be NULL unless said so.
+ *  - every call returns a status; the words and the offending ids are in the context.
+ *  - nothing is printed, nothing aborts, there is no global state: contexts may be used from
+ *    different threads at once, one context from one thread at a time.
+ */
+#ifndef HEXCON_H
+#define HEXCON_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** One value per fault. The Python enum `hexcon_native.ErrorCode` is made from this list. */
+typedef enum hexcon_status {
+  HEXCON_OK = 0,
+  HEXCON_OUT_OF_MEMORY,
+  HEXCON_CANCELLED,
+  HEXCON_BAD_ARGUMENT,        /**< a NULL array, an option out of its range */
+  HEXCON_TOO_LARGE,           /**< a count above what 32-bit ids hold */
+  HEXCON_WRONG_SHAPE,         /**< raised by bindings: an array that is not (., 3), (., 4) .. */
+  HEXCON_WRONG_TYPE,          /**< raised by bindings: an array of the wrong kind of number */
+  HEXCON_EMPTY,               /**< no quads, or no hexes */
+  HEXCON_INDEX_OUT_OF_RANGE,  /**< elements: quads (or hexes) */
+  HEXCON_REPEATED_VERTEX,     /**< elements: quads (or hexes) */
+  HEXCON_NOT_FINITE,          /**< elements: points */
+  HEXCON_UNUSED_POINT,        /**< elements: points that no quad uses */
+  HEXCON_NOT_CLOSED,          /**< elements: quads at open edges */
+  HEXCON_NON_MANIFOLD_EDGE,   /**< elements: quads at edges with more than two quads */
+  HEXCON_NON_MANIFOLD_VERTEX, /**< elements: points where several fans of quads meet */
+  HEXCON_NOT_ORIENTABLE,      /**< elements: two quads that close a one-sided band */
+  HEXCON_INCONSISTENT_ORIENTATION, /**< elements: the quads turned against the majority */
+  HEXCON_SEVERAL_COMPONENTS,       /**< elements: one quad of each component */
+  HEXCON_ODD,                      /**< an odd number of quads: no hex mesh exists */
+  HEXCON_NOT_BIPARTITE,            /**< elements: points of an odd edge cycle, in order */
+  HEXCON_NOT_SWEPT,                /**< elements: quads where the best attempt failed */
+  HEXCON_NOT_CERTIFIED,            /**< elements: hexes whose Jacobian is not proved positive */
+  HEXCON_STATUS_COUNT
+} hexcon_status;
+
+/** Name of a status without its prefix, e.g. "NOT_CLOSED"; NULL for values that do not exist. */
+const char *hexcon_status_name(int status);
+
+/* ------------------------------------------------------------------------------------ context */
+
+/** Carries the last error, the progress callback and the allocator of a series of calls. */
+typedef struct hexcon_context hexcon_context;
+
+/**
+ * Called now and then during long work, always from the calling thread.
+ * @param stage     what is being done, static text
+ * @param fraction  of that stage, in [0, 1]
+ * @return false to cancel: the running call ends with HEXCON_CANCELLED
+ */
+typedef bool (*hexcon_progress)(void *user, const char *stage, double fraction);
+
+/** Replaceable allocator: as realloc(3); size 0 frees and returns NULL. */
+typedef void *(*hexcon_reallocate)(void *user, void *memory, size_t size);
+
+/** @return NULL when out of memory. */
+hexcon_context *hexcon_context_new(void);
+/** @param reallocate  NULL for the C library's */
+hexcon_context *hexcon_context_new_with(hexcon_reallocate reallocate, void *user);
+/** Frees the context; results made with it must be freed before. NULL is allowed. */
+void hexcon_context_free(hexcon_context *context);
+/** @param progress  NULL for none */
+void hexcon_context_set_progress(hexcon_context *context, hexcon_progress progress, void *user);
+/** Words for the last error, valid until the next call with this context; "" if there was none. */
+const char *hexcon_context_message(const hexcon_context *context);
+/** Offending ids of the last error, at most 1000. @param elements receives the array. */
+size_t hexcon_context_elements(const hexcon_context *context, const int32_t **elements);
+
+/* ------------------------------------------------------------------------------------ surface */
+
+/** Facts of a surface. */
+typedef struct hexcon_surface_report {
+  size_t quad_count, point_count, edge_count, component_count;
+  int64_t euler;         /**< points - edges + quads */
+  int64_t genus;         /**< sum over the components */
+  bool even;             /**< even number of quads in every component */
+  bool bipartite;        /**< points can be 2-coloured along edges */
+  bool oriented;         /**< quads face outward as given; false: all of them face inward */
+  bool convex;           /**< no edge is concave by more than the warp of its quads */
+  bool star_shaped;      /**< star_center sees every corner triangle from inside */
+  double star_center[3]; /**< deepest such point, if star_shaped */
+  double star_margin;    /**< its distance to the nearest corner plane; < 0 if there is none */
+  double volume;         /**< enclosed by the bilinear quads, positive */
+  size_t loop_count, self_crossing_count;
+} hexcon_surface_report;
+
+/**
+ * Check a surface and report its facts. Linear in quad_count (expected, for the star centre).
+ * @return HEXCON_OK, or the first fault of EMPTY, TOO_LARGE, INDEX_OUT_OF_RANGE, NOT_FINITE,
+ *         REPEATED_VERTEX, UNUSED_POINT, NON_MANIFOLD_EDGE, NOT_CLOSED, NOT_ORIENTABLE,
+ *         INCONSISTENT_ORIENTATION, NON_MANIFOLD_VERTEX; OUT_OF_MEMORY.
+ */
+hexcon_status hexcon_check_surface(hexcon_context *context, const double *points,
+                                   size_t point_count, const int32_t *quads, size_t quad_count,
+                                   hexcon_surface_report *report);
+
+/** Dual loops of a surface: loop i passes quads[offsets[i]] .. quads[offsets[i + 1] - 1]. */
+typedef struct hexcon_loops {
+  size_t count;           /**< of loops */
+  size_t *offsets;        /**< [count + 1] into quads */
+  int32_t *quads;         /**< [2 * quad_count]; every quad is passed twice */
+  size_t *self_crossings; /**< [count] quads that the loop passes twice */
+} hexcon_loops;
+
+/**
+ * Dual loops. Points are not needed: ids up to the largest used are taken to exist. Linear.
+ * @param loops  filled; free with hexcon_loops_free. Errors: those of hexcon_check_surface.
+ */
+hexcon_status hexcon_surface_loops(hexcon_context *context, const int32_t *quads, size_t quad_count,
+                                   hexcon_loops *loops);
+void hexcon_loops_free(hexcon_context *context, hexcon_loops *loops);
+
+/**
+ * 2-colouring of the points along edges; the lowest id of each component is black (0). Linear.
+ * @param colours  [point_count], receives 0 or 1. Errors: those of hexcon_check_surface except
+ *                 UNUSED_POINT (unused points are black), and NOT_BIPARTITE.
+ */
+hexcon_status hexcon_surface_colouring(hexcon_context *context, const int32_t *quads,
+                                       size_t quad_count, size_t point_count, uint8_t *colours);
+
+/* ------------------------------------------------------------------------------------- verify */
+
+/**
+ * Verdict's scaled Jacobian: the minimum over the 8 corners of det(u, v, w) / (|u| |v| |w|).
+ * @param scaled_jacobian  [hex_count], receives values in [-1, 1]; -1 for an edge of length 0.
+ * Errors: EMPTY, TOO_LARGE, INDEX_OUT_OF_RANGE, NOT_FINITE. Linear.
+ * Source: Knupp et al., The Verdict library reference manual (2006), section 5.
+ */
+hexcon_status hexcon_quality(hexcon_context *context, const double *points, size_t point_count,
+                             const int32_t *hexes, size_t hex_count, double *scaled_jacobian);
+
+/** What is proved of a hex mesh. */
+typedef struct hexcon_certificate {
+  bool certified;      /**< conforming, proper, boundary_exact and every Jacobian positive */
+  bool conforming;     /**< a 3-manifold: faces in at most 2 hexes, links are spheres or discs */
+  bool proper;         /**< two hexes meet in nothing, one vertex, one edge or one face */
+  bool boundary_exact; /**< the faces in one hex only are the given quads, outward */
+  int64_t euler;       /**< points used - edges + faces - hexes */
+  size_t nonpositive_count;
+  int32_t *nonpositive;   /**< hexes whose Jacobian is not proved positive, ascending */
+  size_t undecided_count; /**< how many of them are not proved non-positive either */
+  size_t doublet_count;
+  int32_t *doublets; /**< [doublet_count][2] hexes that share two or more faces */
+  size_t improper_count;
+  int32_t *improper; /**< hexes with a pair that meets improperly (at most one id a pair) */
+} hexcon_certificate;
+
+/**
+ * Prove a hex mesh: topology by counting, Jacobians by Bernstein coefficients with subdivision and
+ * a rigorous bound on rounding. Shares no code with the builder. Linear.
+ * @param quads  [quad_count][4] the surface, outward
+ * @param certificate  filled; free with hexcon_certificate_free
+ * Errors: EMPTY, TOO_LARGE, INDEX_OUT_OF_RANGE, NOT_FINITE, REPEATED_VERTEX, OUT_OF_MEMORY,
+ * CANCELLED. A mesh that fails is no error: the certificate says so.
+ */
+hexcon_status hexcon_certify(hexcon_context *context, const double *points, size_t point_count,
+                             const int32_t *hexes, size_t hex_count, const int32_t *quads,
+                             size_t quad_count, hexcon_certificate *certificate);
+void hexcon_certificate_free(hexcon_context *context, hexcon_certificate *certificate);
+
+/* -------------------------------------------------------------------------------------- shape */
+
+/** Options of hexcon_optimize; zero means default. */
+typedef struct hexcon_optimize_options {
+  int max_rounds;     /**< of growing neighbourhoods; default 12 */
+  int max_iterations; /**< of the minimiser per round; default 100 */
+  double target;      /**< stop when the worst scaled Jacobian reaches it; default 1 */
+} hexcon_optimize_options;
+
+/**
+ * Untangle and improve a hex mesh by moving its free points. The result is never worse than the
+ * start: first fewer inverted hexes, then a higher worst scaled Jacobian; the start is returned
+ * where nothing better was found. Cost: linear in the hexes near bad ones, per iteration.
+ * @param fixed      [point_count] non-zero: the point does not move
+ * @param positions  [point_count][3] receives the result; may be `points` itself
+ * @param options    NULL for defaults
+ * Errors: as hexcon_quality, OUT_OF_MEMORY, CANCELLED (positions then hold the best so far).
+ * Source: Garanzha et al., Foldover-free maps in 50 lines of code (2021).
+ */
+hexcon_status hexcon_optimize(hexcon_context *context, const double *points, size_t point_count,
+                              const int32_t *hexes, size_t hex_count, const uint8_t *fixed,
+                              const hexcon_optimize_options *options, double *positions);
+
+/* -------------------------------------------------------------------------------------- solve */
+
+typedef enum hexcon_method {
+  HEXCON_METHOD_AUTO = 0, /**< the best of those below; today: swept */
+  HEXCON_METHOD_SWEPT
+} hexcon_method;
+
+/** Options of hexcon_mesh_surface; zero means default. */
+typedef struct hexcon_mesh_options {
+  hexcon_method method;
+  int order;              /**< 1 (default) or 2: mid-edge points, VTK_QUADRATIC_HEXAHEDRON order */
+  bool allow_uncertified; /**< return the best mesh even if it is not certified */
+} hexcon_mesh_options;
+
+/** Result of hexcon_mesh_surface. */
+typedef struct hexcon_mesh hexcon_mesh;
+
+/**
+ * Fill a surface with hexes. The first point_count rows of the result are the input points.
+ * @param options  NULL for defaults
+ * @param mesh     receives the result; free with hexcon_mesh_free
+ * Errors: those of hexcon_check_surface, SEVERAL_COMPONENTS, ODD, NOT_SWEPT, NOT_CERTIFIED,
+ * CANCELLED, OUT_OF_MEMORY; `mesh` is then NULL. Cost: linear in the hexes made, plus the
+ * optimisation of what is bad.
+ */
+hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points, size_t point_count,
+                                  const int32_t *quads, size_t quad_count,
+                                  const hexcon_mesh_options *options, hexcon_mesh **mesh);
+void hexcon_mesh_free(hexcon_context *context, hexcon_mesh *mesh);
+
+size_t hexcon_mesh_point_count(const hexcon_mesh *mesh);
+size_t hexcon_mesh_hex_count(const hexcon_mesh *mesh);
+int hexcon_mesh_order(const hexcon_mesh *mesh);
+/** [point_count][3] */
+const double *hexcon_mesh_points(const hexcon_mesh *mesh);
+/** [hex_count][8], or [hex_count][20] at order 2 */
+const int32_t *hexcon_mesh_hexes(const hexcon_mesh *mesh);
+/** [quad_count][4] the input quads in their order, outward (turned if they were inward) */
+const int32_t *hexcon_mesh_quads(const hexcon_mesh *mesh);
+/** Name of the method that made it, static text */
+const char *hexcon_mesh_method(const hexcon_mesh *mesh);
+const hexcon_certificate *hexcon_mesh_certificate(const hexcon_mesh *mesh);
+/** Scaled Jacobian of every hex [hex_count] */
+const double *hexcon_mesh_quality(const hexcon_mesh *mesh);
+
+/** A figure of the report: counts, seconds per stage ("seconds <stage>"), quality. */
+typedef struct hexcon_figure {
+  char name[48];
+  double value;
+} hexcon_figure;
+/** @param figures receives the array @return its length */
+size_t hexcon_mesh_report(const hexcon_mesh *mesh, const hexcon_figure **figures);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,287 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/**
+ * hexcon_native._core: the core's calls on contiguous buffers. hexcon_native/__init__.py checks
+ * shapes and types, converts, and wraps the results; nothing else should import this module.
+ */
+#include "buffers.h"
+#include "run.h"
+
+static PyObject *status_codes(PyObject *module, PyObject *arguments) {
+  (void)module, (void)arguments;
+  PyObject *codes = PyDict_New();
+  for (int status = 1; codes && hexcon_status_name(status); status++) {
+    PyObject *value = PyLong_FromLong(status);
+    if (!value || PyDict_SetItemString(codes, hexcon_status_name(status), value) < 0)
+      Py_CLEAR(codes);
+    Py_XDECREF(value);
+  }
+  return codes;
+}
+
+static PyObject *boolean(bool value) {
+  return PyBool_FromLong(value);
+}
+
+static PyObject *report_as_dict(const hexcon_surface_report *r) {
+  return Py_BuildValue(
+      "{s:n,s:n,s:n,s:n,s:L,s:L,s:N,s:N,s:N,s:N,s:N,s:(ddd),s:d,s:d,s:n,s:n}", "quads",
+      (Py_ssize_t)r->quad_count, "points", (Py_ssize_t)r->point_count, "edges",
+      (Py_ssize_t)r->edge_count, "components", (Py_ssize_t)r->component_count, "euler",
+      (long long)r->euler, "genus", (long long)r->genus, "even", boolean(r->even), "bipartite",
+      boolean(r->bipartite), "oriented", boolean(r->oriented), "convex", boolean(r->convex),
+      "star_shaped", boolean(r->star_shaped), "star_center", r->star_center[0], r->star_center[1],
+      r->star_center[2], "star_margin", r->star_margin, "volume", r->volume, "loop_count",
+      (Py_ssize_t)r->loop_count, "self_crossing_count", (Py_ssize_t)r->self_crossing_count);
+}
+
+static PyObject *check_surface(PyObject *module, PyObject *arguments) {
+  (void)module;
+  Py_buffer points, quads;
+  if (!PyArg_ParseTuple(arguments, "y*y*", &points, &quads))
+    return NULL;
+  run r;
+  hexcon_surface_report report;
+  PyObject *result = NULL;
+  if (run_begin(&r, Py_None)) {
+    run_release(&r);
+    hexcon_status status =
+        hexcon_check_surface(r.context, points.buf, buffer_rows(&points, 3, sizeof(double)),
+                             quads.buf, buffer_rows(&quads, 4, sizeof(int32_t)), &report);
+    run_acquire(&r);
+    if (run_end(&r, status))
+      result = report_as_dict(&report);
+  }
+  PyBuffer_Release(&points);
+  PyBuffer_Release(&quads);
+  return result;
+}
+
+static PyObject *loops_as_tuple(const hexcon_loops *loops) {
+  return Py_BuildValue(
+      "NNN", buffer_copy(loops->offsets, loops->count + 1, sizeof *loops->offsets),
+      buffer_copy(loops->quads, loops->offsets[loops->count], sizeof *loops->quads),
+      buffer_copy(loops->self_crossings, loops->count, sizeof *loops->self_crossings));
+}
+
+static PyObject *loops(PyObject *module, PyObject *arguments) {
+  (void)module;
+  Py_buffer quads;
+  if (!PyArg_ParseTuple(arguments, "y*", &quads))
+    return NULL;
+  run r;
+  PyObject *result = NULL;
+  if (run_begin(&r, Py_None)) {
+    hexcon_loops found;
+    run_release(&r);
+    hexcon_status status =
+        hexcon_surface_loops(r.context, quads.buf, buffer_rows(&quads, 4, sizeof(int32_t)), &found);
+    run_acquire(&r);
+    if (!status) {
+      result = loops_as_tuple(&found);
+      hexcon_loops_free(r.context, &found);
+    }
+    if (!run_end(&r, status))
+      Py_CLEAR(result);
+  }
+  PyBuffer_Release(&quads);
+  return result;
+}
+
+static PyObject *colouring(PyObject *module, PyObject *arguments) {
+  (void)module;
+  Py_buffer quads;
+  Py_ssize_t point_count;
+  if (!PyArg_ParseTuple(arguments, "y*n", &quads, &point_count))
+    return NULL;
+  run r;
+  PyObject *colours = PyByteArray_FromStringAndSize(NULL, point_count);
+  if (colours && run_begin(&r, Py_None)) {
+    uint8_t *out = (uint8_t *)PyByteArray_AsString(colours);
+    run_release(&r);
+    hexcon_status status = hexcon_surface_colouring(
+        r.context, quads.buf, buffer_rows(&quads, 4, sizeof(int32_t)), (size_t)point_count, out);
+    run_acquire(&r);
+    if (!run_end(&r, status))
+      Py_CLEAR(colours);
+  } else {
+    Py_CLEAR(colours);
+  }
+  PyBuffer_Release(&quads);
+  return colours;
+}
+
+static PyObject *quality(PyObject *module, PyObject *arguments) {
+  (void)module;
+  Py_buffer points, hexes;
+  if (!PyArg_ParseTuple(arguments, "y*y*", &points, &hexes))
+    return NULL;
+  run r;
+  size_t hex_count = buffer_rows(&hexes, 8, sizeof(int32_t));
+  PyObject *values = PyByteArray_FromStringAndSize(NULL, (Py_ssize_t)(hex_count * sizeof(double)));
+  if (values && run_begin(&r, Py_None)) {
+    double *out = (double *)(void *)PyByteArray_AsString(values);
+    run_release(&r);
+    hexcon_status status = hexcon_quality(
+        r.context, points.buf, buffer_rows(&points, 3, sizeof(double)), hexes.buf, hex_count, out);
+    run_acquire(&r);
+    if (!run_end(&r, status))
+      Py_CLEAR(values);
+  } else {
+    Py_CLEAR(values);
+  }
+  PyBuffer_Release(&points);
+  PyBuffer_Release(&hexes);
+  return values;
+}
+
+static PyObject *certificate_as_dict(const hexcon_certificate *c) {
+  return Py_BuildValue("{s:N,s:N,s:N,s:N,s:L,s:N,s:n,s:N,s:N}", "certified", boolean(c->certified),
+                       "conforming", boolean(c->conforming), "proper", boolean(c->proper),
+                       "boundary_exact", boolean(c->boundary_exact), "euler", (long long)c->euler,
+                       "nonpositive",
+                       buffer_copy(c->nonpositive, c->nonpositive_count, sizeof(int32_t)),
+                       "undecided", (Py_ssize_t)c->undecided_count, "doublets",
+                       buffer_copy(c->doublets, 2 * c->doublet_count, sizeof(int32_t)), "improper",
+                       buffer_copy(c->improper, c->improper_count, sizeof(int32_t)));
+}
+
+static PyObject *certify(PyObject *module, PyObject *arguments) {
+  (void)module;
+  Py_buffer points, hexes, quads;
+  PyObject *callback;
+  if (!PyArg_ParseTuple(arguments, "y*y*y*O", &points, &hexes, &quads, &callback))
+    return NULL;
+  run r;
+  PyObject *result = NULL;
+  if (run_begin(&r, callback)) {
+    hexcon_certificate certificate;
+    run_release(&r);
+    hexcon_status status =
+        hexcon_certify(r.context, points.buf, buffer_rows(&points, 3, sizeof(double)), hexes.buf,
+                       buffer_rows(&hexes, 8, sizeof(int32_t)), quads.buf,
+                       buffer_rows(&quads, 4, sizeof(int32_t)), &certificate);
+    run_acquire(&r);
+    if (!status) {
+      result = certificate_as_dict(&certificate);
+      hexcon_certificate_free(r.context, &certificate);
+    }
+    if (!run_end(&r, status))
+      Py_CLEAR(result);
+  }
+  PyBuffer_Release(&points);
+  PyBuffer_Release(&hexes);
+  PyBuffer_Release(&quads);
+  return result;
+}
+
+static PyObject *optimize(PyObject *module, PyObject *arguments) {
+  (void)module;
+  Py_buffer points, hexes, fixed;
+  hexcon_optimize_options options = {0};
+  PyObject *callback;
+  if (!PyArg_ParseTuple(arguments, "y*y*y*iidO", &points, &hexes, &fixed, &options.max_rounds,
+                        &options.max_iterations, &options.target, &callback))
+    return NULL;
+  run r;
+  PyObject *positions = PyByteArray_FromStringAndSize(points.buf, points.len);
+  if (positions && run_begin(&r, callback)) {
+    double *out = (double *)(void *)PyByteArray_AsString(positions);
+    run_release(&r);
+    hexcon_status status =
+        hexcon_optimize(r.context, points.buf, buffer_rows(&points, 3, sizeof(double)), hexes.buf,
+                        buffer_rows(&hexes, 8, sizeof(int32_t)), fixed.buf, &options, out);
+    run_acquire(&r);
+    if (!run_end(&r, status))
+      Py_CLEAR(positions);
+  } else {
+    Py_CLEAR(positions);
+  }
+  PyBuffer_Release(&points);
+  PyBuffer_Release(&hexes);
+  PyBuffer_Release(&fixed);
+  return positions;
+}
+
+static PyObject *figures_as_dict(const hexcon_mesh *mesh) {
+  const hexcon_figure *figures;
+  size_t count = hexcon_mesh_report(mesh, &figures);
+  PyObject *dict = PyDict_New();
+  for (size_t i = 0; dict && i < count; i++) {
+    PyObject *value = PyFloat_FromDouble(figures[i].value);
+    if (!value || PyDict_SetItemString(dict, figures[i].name, value) < 0)
+      Py_CLEAR(dict);
+    Py_XDECREF(value);
+  }
+  return dict;
+}
+
+static PyObject *mesh_as_dict(const hexcon_mesh *mesh, size_t quad_count) {
+  size_t nodes = hexcon_mesh_order(mesh) == 2 ? 20 : 8, hexes = hexcon_mesh_hex_count(mesh);
+  return Py_BuildValue(
+      "{s:N,s:N,s:N,s:N,s:s,s:i,s:N,s:N}", "points",
+      buffer_copy(hexcon_mesh_points(mesh), 3 * hexcon_mesh_point_count(mesh), sizeof(double)),
+      "hexes", buffer_copy(hexcon_mesh_hexes(mesh), nodes * hexes, sizeof(int32_t)), "quads",
+      buffer_copy(hexcon_mesh_quads(mesh), 4 * quad_count, sizeof(int32_t)), "quality",
+      buffer_copy(hexcon_mesh_quality(mesh), hexes, sizeof(double)), "method",
+      hexcon_mesh_method(mesh), "order", hexcon_mesh_order(mesh), "certificate",
+      certificate_as_dict(hexcon_mesh_certificate(mesh)), "report", figures_as_dict(mesh));
+}
+
+static PyObject *mesh(PyObject *module, PyObject *arguments) {
+  (void)module;
+  Py_buffer points, quads;
+  int method, order, allow_uncertified;
+  PyObject *callback;
+  if (!PyArg_ParseTuple(arguments, "y*y*iipO", &points, &quads, &method, &order, &allow_uncertified,
+                        &callback))
+    return NULL;
+  run r;
+  PyObject *result = NULL;
+  if (run_begin(&r, callback)) {
+    hexcon_mesh *made = NULL;
+    hexcon_mesh_options options = {(hexcon_method)method, order, allow_uncertified != 0};
+    size_t quad_count = buffer_rows(&quads, 4, sizeof(int32_t));
+    run_release(&r);
+    hexcon_status status =
+        hexcon_mesh_surface(r.context, points.buf, buffer_rows(&points, 3, sizeof(double)),
+                            quads.buf, quad_count, &options, &made);
+    run_acquire(&r);
+    if (!status)
+      result = mesh_as_dict(made, quad_count);
+    hexcon_mesh_free(r.context, made);
+    if (!run_end(&r, status))
+      Py_CLEAR(result);
+  }
+  PyBuffer_Release(&points);
+  PyBuffer_Release(&quads);
+  return result;
+}
+
+static PyMethodDef methods[] = {
+    {"status_codes", status_codes, METH_NOARGS, "status_codes() -> dict of name to number"},
+    {"check_surface", check_surface, METH_VARARGS, "check_surface(points, quads) -> dict"},
+    {"loops", loops, METH_VARARGS, "loops(quads) -> (offsets, quads, self_crossings)"},
+    {"colouring", colouring, METH_VARARGS, "colouring(quads, point_count) -> bytearray"},
+    {"quality", quality, METH_VARARGS, "quality(points, hexes) -> bytearray of float64"},
+    {"certify", certify, METH_VARARGS, "certify(points, hexes, quads, progress) -> dict"},
+    {"optimize", optimize, METH_VARARGS,
+     "optimize(points, hexes, fixed, rounds, iterations, target, progress) -> bytearray"},
+    {"mesh", mesh, METH_VARARGS,
+     "mesh(points, quads, method, order, allow_uncertified, progress) -> dict"},
+    {NULL, NULL, 0, NULL}};
+
+static PyModuleDef_Slot slots[] = {{0, NULL}};
+
+static struct PyModuleDef definition = {
+    .m_base = PyModuleDef_HEAD_INIT,
+    .m_name = "_core",
+    .m_doc = "HexCon's core on contiguous buffers; use hexcon_native instead.",
+    .m_size = 0,
+    .m_methods = methods,
+    .m_slots = slots};
+
+PyMODINIT_FUNC PyInit__core(void); /* Python.h declares it for C++ only */
+
+__attribute__((visibility("default"))) PyMODINIT_FUNC PyInit__core(void) {
+  return PyModuleDef_Init(&definition);
+}

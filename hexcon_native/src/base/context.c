@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+#include "context.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void *c_library_reallocate(void *user, void *memory, size_t size) {
+  (void)user;
+  if (size == 0) {
+    free(memory);
+    return NULL;
+  }
+  return realloc(memory, size);
+}
+
+hexcon_context *hexcon_context_new_with(hexcon_reallocate reallocate, void *user) {
+  if (!reallocate)
+    reallocate = c_library_reallocate;
+  hexcon_context *context = reallocate(user, NULL, sizeof *context);
+  if (!context)
+    return NULL;
+  memset(context, 0, sizeof *context);
+  context->reallocate = reallocate;
+  context->reallocate_user = user;
+  return context;
+}
+
+hexcon_context *hexcon_context_new(void) {
+  return hexcon_context_new_with(NULL, NULL);
+}
+
+void hexcon_context_free(hexcon_context *context) {
+  if (context)
+    context->reallocate(context->reallocate_user, context, 0);
+}
+
+void hexcon_context_set_progress(hexcon_context *context, hexcon_progress progress, void *user) {
+  context->progress = progress;
+  context->progress_user = user;
+}
+
+const char *hexcon_context_message(const hexcon_context *context) {
+  return context->message;
+}
+
+size_t hexcon_context_elements(const hexcon_context *context, const int32_t **elements) {
+  *elements = context->elements;
+  return context->element_count;
+}
+
+void context_clear(hexcon_context *context) {
+  context->element_count = 0;
+  context->message[0] = '\0';
+}
+
+void context_add_element(hexcon_context *context, int32_t element) {
+  if (context->element_count < CONTEXT_MAX_ELEMENTS)
+    context->elements[context->element_count++] = element;
+}
+
+hexcon_status context_fail(hexcon_context *context, hexcon_status status, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  (void)vsnprintf(context->message, sizeof context->message, format, arguments);
+  va_end(arguments);
+  return status;
+}
+
+hexcon_status context_progress(hexcon_context *context, const char *stage, double fraction) {
+  if (!context->progress || context->progress(context->progress_user, stage, fraction))
+    return HEXCON_OK;
+  return context_fail(context, HEXCON_CANCELLED, "cancelled during %s", stage);
+}
+
+void *context_grow(hexcon_context *context, void *memory, size_t count, size_t size) {
+  if (count == 0)
+    count = 1;
+  void *grown = NULL;
+  if (count <= SIZE_MAX / size)
+    grown = context->reallocate(context->reallocate_user, memory, count * size);
+  if (!grown)
+    (void)context_fail(context, HEXCON_OUT_OF_MEMORY,
+                       "out of memory: %zu items of %zu bytes; use a coarser surface or a machine "
+                       "with more memory",
+                       count, size);
+  return grown;
+}
+
+void *context_allocate(hexcon_context *context, size_t count, size_t size) {
+  return context_grow(context, NULL, count, size);
+}
+
+void *context_allocate_zeroed(hexcon_context *context, size_t count, size_t size) {
+  void *memory = context_allocate(context, count, size);
+  if (memory)
+    memset(memory, 0, (count ? count : 1) * size);
+  return memory;
+}
+
+void context_free(hexcon_context *context, void *memory) {
+  if (memory)
+    context->reallocate(context->reallocate_user, memory, 0);
+}

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/** The context of a series of calls: last error, progress, allocation. */
+#ifndef HEXCON_BASE_CONTEXT_H
+#define HEXCON_BASE_CONTEXT_H
+
+#include "hexcon.h"
+
+/** At most this many offending ids are kept (design.md, section 3). */
+#define CONTEXT_MAX_ELEMENTS 1000
+
+/** Every count of things that get an id must stay below this. */
+#define CONTEXT_MAX_COUNT ((size_t)INT32_MAX)
+
+struct hexcon_context {
+  hexcon_progress progress;
+  void *progress_user;
+  hexcon_reallocate reallocate;
+  void *reallocate_user;
+  size_t element_count;
+  int32_t elements[CONTEXT_MAX_ELEMENTS];
+  char message[512];
+};
+
+/** Forget the last error. Every public call starts with it. */
+void context_clear(hexcon_context *context);
+
+/** Add an offending id; ids beyond the limit are dropped. */
+void context_add_element(hexcon_context *context, int32_t element);
+
+/** Store the words (printf) of a fault and return its status. */
+hexcon_status context_fail(hexcon_context *context, hexcon_status status, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/** Report progress; HEXCON_CANCELLED if the user wants to stop, with the error stored. */
+hexcon_status context_progress(hexcon_context *context, const char *stage, double fraction);
+
+/**
+ * Allocate count items of size bytes, not initialised; count 0 gives a valid pointer.
+ * @return NULL when out of memory or on overflow, with the error stored.
+ */
+void *context_allocate(hexcon_context *context, size_t count, size_t size);
+/** As context_allocate, filled with zeros. */
+void *context_allocate_zeroed(hexcon_context *context, size_t count, size_t size);
+/** Grow an array; the old one stays valid when NULL is returned. */
+void *context_grow(hexcon_context *context, void *memory, size_t count, size_t size);
+/** NULL is allowed. */
+void context_free(hexcon_context *context, void *memory);
+
+#endif

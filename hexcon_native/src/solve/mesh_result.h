@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/** The result of meshing, and the report that grows with it. */
+#ifndef HEXCON_SOLVE_MESH_RESULT_H
+#define HEXCON_SOLVE_MESH_RESULT_H
+
+#include "base/context.h"
+
+enum { MAX_FIGURES = 32 };
+
+struct hexcon_mesh {
+  size_t point_count, hex_count, quad_count;
+  int order;
+  double *points;
+  int32_t *hexes; /* [hex_count][8] or [hex_count][20] */
+  int32_t *quads;
+  double *quality;
+  const char *method;
+  hexcon_certificate certificate;
+  size_t figure_count;
+  hexcon_figure figures[MAX_FIGURES];
+};
+
+/** Add a figure; those beyond MAX_FIGURES are dropped. */
+void mesh_note(hexcon_mesh *mesh, const char *name, double value);
+
+/** Seconds since an arbitrary start, for the report only. */
+double mesh_clock(void);
+
+/** Note "seconds <stage>" since `start`. */
+void mesh_note_seconds(hexcon_mesh *mesh, const char *stage, double start);
+
+/** Append mid-edge points and turn the hexes into those of order 2. Linear. */
+hexcon_status mesh_raise_order(hexcon_context *context, hexcon_mesh *mesh);
+
+#endif

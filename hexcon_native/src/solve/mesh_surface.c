@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/** The public call that fills a surface. */
+#include <string.h>
+
+#include "mesh_result.h"
+#include "mesh_swept.h"
+#include "surface/half_edges.h"
+#include "verify/certificate.h"
+
+static hexcon_status check_options(hexcon_context *context, const hexcon_mesh_options *options) {
+  if (options->method != HEXCON_METHOD_AUTO && options->method != HEXCON_METHOD_SWEPT)
+    return context_fail(context, HEXCON_BAD_ARGUMENT, "there is no method number %d",
+                        (int)options->method);
+  if (options->order < 0 || options->order > 2)
+    return context_fail(context, HEXCON_BAD_ARGUMENT, "order %d: it must be 1 or 2",
+                        options->order);
+  return HEXCON_OK;
+}
+
+/** One component with an even number of quads: what any hex mesh of one body needs. */
+static hexcon_status check_fillable(hexcon_context *context, const surface *s) {
+  if (s->component_count > 1) {
+    int32_t next = 0;
+    for (size_t q = 0; q < s->quad_count; q++)
+      if (s->component_of_quad[q] == next) {
+        context_add_element(context, (int32_t)q);
+        next++;
+      }
+    return context_fail(context, HEXCON_SEVERAL_COMPONENTS,
+                        "the surface has %zu separate parts (one quad of each listed); mesh them "
+                        "one by one",
+                        s->component_count);
+  }
+  if (s->quad_count % 2)
+    return context_fail(context, HEXCON_ODD,
+                        "the surface has %zu quads, an odd number: no hex mesh has such a "
+                        "boundary; change the size a little or subdivide the quads",
+                        s->quad_count);
+  return HEXCON_OK;
+}
+
+static hexcon_status certify(hexcon_context *context, const surface *s,
+                             const hexcon_mesh_options *options, hexcon_mesh *mesh) {
+  double start = mesh_clock();
+  hexcon_status status =
+      certificate_make(context, mesh->points, mesh->point_count, mesh->hexes, mesh->hex_count,
+                       mesh->quads, s->quad_count, &mesh->certificate);
+  mesh_note_seconds(mesh, "certificate", start);
+  const hexcon_certificate *c = &mesh->certificate;
+  if (status || c->certified || options->allow_uncertified)
+    return status;
+  for (size_t i = 0; i < c->nonpositive_count; i++)
+    context_add_element(context, c->nonpositive[i]);
+  return context_fail(context, HEXCON_NOT_CERTIFIED,
+                      "the mesh could not be certified: %zu of %zu hexes are not proved positive "
+                      "(listed)%s%s; refine the surface, or allow uncertified meshes to look at "
+                      "it",
+                      c->nonpositive_count, mesh->hex_count,
+                      c->conforming && c->proper ? "" : ", its complex is not proper",
+                      c->boundary_exact ? "" : ", its boundary differs from the surface");
+}
+
+static hexcon_status fill_surface(hexcon_context *context, const surface *s,
+                                  const hexcon_mesh_options *options, hexcon_mesh *mesh) {
+  mesh->quad_count = s->quad_count;
+  mesh->quads = context_allocate(context, 4 * s->quad_count, sizeof *mesh->quads);
+  if (!mesh->quads)
+    return HEXCON_OUT_OF_MEMORY;
+  memcpy(mesh->quads, s->quads, 4 * s->quad_count * sizeof *mesh->quads);
+  mesh_note(mesh, "turned outward", s->turned);
+  hexcon_status status = mesh_swept(context, s, mesh);
+  if (!status)
+    status = certify(context, s, options, mesh);
+  if (!status && options->order == 2) {
+    double start = mesh_clock();
+    status = mesh_raise_order(context, mesh);
+    mesh_note_seconds(mesh, "second order", start);
+  }
+  return status;
+}
+
+hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points, size_t point_count,
+                                  const int32_t *quads, size_t quad_count,
+                                  const hexcon_mesh_options *options, hexcon_mesh **mesh) {
+  context_clear(context);
+  *mesh = NULL;
+  hexcon_mesh_options chosen = options ? *options : (hexcon_mesh_options){0};
+  hexcon_status status = check_options(context, &chosen);
+  if (status)
+    return status;
+  surface s;
+  double start = mesh_clock();
+  status = surface_build(context, points, point_count, quads, quad_count, &s);
+  if (!status)
+    status = check_fillable(context, &s);
+  hexcon_mesh *made = status ? NULL : context_allocate_zeroed(context, 1, sizeof *made);
+  if (!status && !made)
+    status = HEXCON_OUT_OF_MEMORY;
+  if (!status) {
+    mesh_note_seconds(made, "checks", start);
+    status = fill_surface(context, &s, &chosen, made);
+  }
+  surface_free(context, &s);
+  if (status)
+    hexcon_mesh_free(context, made);
+  else
+    *mesh = made;
+  return status;
+}

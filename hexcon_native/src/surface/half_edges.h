@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/**
+ * Adjacency of a closed quad surface.
+ *
+ * Half-edge h = 4 * quad + side runs from corner `side` of the quad to the next corner.
+ */
+#ifndef HEXCON_SURFACE_HALF_EDGES_H
+#define HEXCON_SURFACE_HALF_EDGES_H
+
+#include "base/context.h"
+
+typedef struct surface {
+  size_t point_count, quad_count;
+  const double *points; /**< [point_count][3], the caller's; NULL where only topology matters */
+  int32_t *quads;       /**< [quad_count][4] consistently oriented, outward if points are known */
+  int32_t *twins;       /**< [4 * quad_count] the half-edge on the other side of each edge */
+  int32_t *component_of_quad; /**< [quad_count] */
+  size_t component_count;
+  bool turned; /**< the quads faced inward and were turned */
+} surface;
+
+static inline int32_t half_edge_quad(int32_t h) {
+  return h >> 2;
+}
+
+/** The half-edge `steps` further counter-clockwise in the same quad; steps may be -3 .. 3. */
+static inline int32_t half_edge_turn(int32_t h, int steps) {
+  return (h & ~3) | ((h + steps) & 3);
+}
+
+static inline int32_t half_edge_start(const surface *s, int32_t h) {
+  return s->quads[h];
+}
+
+static inline int32_t half_edge_end(const surface *s, int32_t h) {
+  return s->quads[half_edge_turn(h, 1)];
+}
+
+/**
+ * Check a surface and build its adjacency. Linear.
+ * @param points  [point_count][3], or NULL: then orientation is only made consistent, point_count
+ *                only bounds the ids, and unused ids are allowed
+ * @param out     filled; free with surface_free, also after an error
+ * @return the faults listed at hexcon_check_surface
+ */
+hexcon_status surface_build(hexcon_context *context, const double *points, size_t point_count,
+                            const int32_t *quads, size_t quad_count, surface *out);
+void surface_free(hexcon_context *context, surface *s);
+
+/** Largest id in quads plus one; 0 if there is none that is valid. */
+size_t surface_used_point_count(const int32_t *quads, size_t quad_count);
+
+#endif

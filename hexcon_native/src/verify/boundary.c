@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+#include "boundary.h"
+
+#include <string.h>
+
+/** Find the quad that is this side and take it out; false if there is none. */
+static bool take_quad(const int32_t *quads, int32_t *slots, size_t mask, uint8_t *taken,
+                      const int32_t side[4]) {
+  for (size_t slot = (size_t)face_hash(side) & mask; slots[slot] >= 0; slot = (slot + 1) & mask) {
+    int32_t quad = slots[slot];
+    if (!taken[quad] && face_same_cycle(quads + 4 * (size_t)quad, side, false)) {
+      taken[quad] = 1;
+      return true;
+    }
+  }
+  return false;
+}
+
+hexcon_status boundary_check(hexcon_context *context, const int32_t *hexes, size_t hex_count,
+                             const face_table *faces, const int32_t *quads, size_t quad_count,
+                             bool *exact) {
+  *exact = faces->boundary_count == quad_count;
+  if (!*exact)
+    return HEXCON_OK;
+  size_t capacity = 16;
+  while (capacity < 2 * quad_count)
+    capacity *= 2;
+  int32_t *slots = context_allocate(context, capacity, sizeof *slots);
+  uint8_t *taken = context_allocate_zeroed(context, quad_count, sizeof *taken);
+  bool complete = slots && taken;
+  if (complete) {
+    memset(slots, -1, capacity * sizeof *slots);
+    for (size_t q = 0; q < quad_count; q++) {
+      size_t slot = (size_t)face_hash(quads + 4 * q) & (capacity - 1);
+      while (slots[slot] >= 0)
+        slot = (slot + 1) & (capacity - 1);
+      slots[slot] = (int32_t)q;
+    }
+    for (size_t side = 0; *exact && side < 6 * hex_count; side++) {
+      if (faces->opposite[side] >= 0)
+        continue;
+      int32_t corners[4];
+      face_of_hex(hexes, (int32_t)side, corners);
+      *exact = take_quad(quads, slots, capacity - 1, taken, corners);
+    }
+  }
+  context_free(context, slots);
+  context_free(context, taken);
+  return complete ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
+}

@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+#include "jacobian_sign.h"
+
+#include <float.h>
+#include <stdbool.h>
+#include <string.h>
+
+#include "base/vector.h"
+#include "hex_tables.h"
+
+/** Bisections along the deepest path: 8 in each direction, boxes of 1/256 of the hex. */
+enum { MAX_DEPTH = 24 };
+
+/** Bernstein coefficients on a box of the hex, [i][j][k] of degree 2 each, and a bound on the
+ * absolute error of any of them. */
+typedef struct box_coefficients {
+  double value[3][3][3];
+  double error;
+  int depth;
+} box_coefficients;
+
+/** edges[axis][m]: the edge along `axis` whose position across it is given by the bits of m, lower
+ * axis first. Returns false if some edge vector overflows. */
+static bool collect_edges(const double *points, const int32_t *hex, double edges[3][4][3],
+                          double *largest) {
+  double corners[8][3];
+  for (int i = 0; i < 8; i++)
+    memcpy(corners[hex_corner_bits[i]], points + 3 * (size_t)hex[i], sizeof corners[0]);
+  *largest = 0;
+  for (int axis = 0; axis < 3; axis++) {
+    int low = axis == 0 ? 1 : 0, high = axis == 2 ? 1 : 2;
+    for (int m = 0; m < 4; m++) {
+      int start = ((m & 1) << low) | ((m >> 1) << high);
+      vector_subtract(corners[start | (1 << axis)], corners[start], edges[axis][m]);
+      for (int i = 0; i < 3; i++)
+        *largest = fmax(*largest, fabs(edges[axis][m][i]));
+    }
+  }
+  return isfinite(*largest);
+}
+
+/** Scale all edges by one power of two, exactly, so that their products neither over- nor
+ * underflow in any way that matters. Returns the product of the largest entries per axis. */
+static double normalise_edges(double edges[3][4][3], double largest) {
+  int exponent;
+  (void)frexp(largest, &exponent);
+  double product = 1;
+  for (int axis = 0; axis < 3; axis++) {
+    double axis_largest = 0;
+    for (int m = 0; m < 4; m++)
+      for (int i = 0; i < 3; i++) {
+        edges[axis][m][i] = ldexp(edges[axis][m][i], -exponent);
+        axis_largest = fmax(axis_largest, fabs(edges[axis][m][i]));
+      }
+    product *= axis_largest;
+  }
+  return product;
+}
+
+/** Coefficients of det(X_r(s,t), X_s(r,t), X_t(r,s)): the factors are bilinear, and a product of
+ * two linear Bernstein polynomials b_a b_b is b_(a+b) of degree 2 over binomial(2, a+b). */
+static void sum_coefficients(double edges[3][4][3], double value[3][3][3]) {
+  memset(value, 0, 27 * sizeof(double));
+  for (int b = 0; b < 4; b++)     /* X_s edge at (r, t) = (b & 1, b >> 1) */
+    for (int c = 0; c < 4; c++) { /* X_t edge at (r, s) = (c & 1, c >> 1) */
+      double cross[3];
+      vector_cross(edges[1][b], edges[2][c], cross);
+      for (int a = 0; a < 4; a++) /* X_r edge at (s, t) = (a & 1, a >> 1) */
+        value[(b & 1) + (c & 1)][(a & 1) + (c >> 1)][(a >> 1) + (b >> 1)] +=
+            vector_dot(edges[0][a], cross);
+    }
+  static const double weight[3] = {1, 0.5, 1};
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++)
+      for (int k = 0; k < 3; k++)
+        value[i][j][k] *= weight[i] * weight[j] * weight[k];
+}
+
+/**
+ * Rounding of sum_coefficients. Each edge entry carries a relative error of one unit u = eps / 2.
+ * A determinant is a sum of 6 products of 3 entries, |product| <= P = product of the axes' largest
+ * entries; with the entries' errors, the two products of the cross product and its difference, the
+ * third product and the two sums, each is off by at most 9 u P (1 + O(u)): 54 u P in all. At most
+ * 8 determinants are added (8 more roundings of at most 48 P): (8 * 54 + 8 * 48) u P < 820 u P; the
+ * weight is at least 1/8 and multiplies the error as well as the value, so 820 u P holds for all.
+ * DBL_MIN covers underflow of single products.
+ */
+static double coefficient_error(double product) {
+  return 410 * DBL_EPSILON * 1.01 * product + 100 * DBL_MIN;
+}
+
+static double smallest_value(const box_coefficients *box, double *largest) {
+  const double *v = &box->value[0][0][0];
+  double smallest = v[0];
+  *largest = fabs(v[0]);
+  for (int i = 1; i < 27; i++) {
+    smallest = fmin(smallest, v[i]);
+    *largest = fmax(*largest, fabs(v[i]));
+  }
+  return smallest;
+}
+
+/** Corner coefficients are values of the Jacobian: one surely negative decides. */
+static bool has_negative_corner(const box_coefficients *box) {
+  for (int i = 0; i < 3; i += 2)
+    for (int j = 0; j < 3; j += 2)
+      for (int k = 0; k < 3; k += 2)
+        if (box->value[i][j][k] < -box->error)
+          return true;
+  return false;
+}
+
+/** de Casteljau at 1/2 along one axis. Averages of values below `largest`: each of the two
+ * levels of averaging rounds once or twice, by at most u * 2 * largest in all per level. */
+static void bisect(const box_coefficients *box, double largest, box_coefficients *low,
+                   box_coefficients *high) {
+  static const int strides[3] = {9, 3, 1};
+  int stride = strides[box->depth % 3], across = strides[(box->depth + 1) % 3],
+      along = strides[(box->depth + 2) % 3];
+  const double *v = &box->value[0][0][0];
+  double *l = &low->value[0][0][0], *h = &high->value[0][0][0];
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++) {
+      int at = i * across + j * along;
+      double first = (v[at] + v[at + stride]) / 2;
+      double second = (v[at + stride] + v[at + 2 * stride]) / 2;
+      l[at] = v[at];
+      l[at + stride] = first;
+      l[at + 2 * stride] = h[at] = (first + second) / 2;
+      h[at + stride] = second;
+      h[at + 2 * stride] = v[at + 2 * stride];
+    }
+  low->error = high->error = box->error + 4 * DBL_EPSILON * largest;
+  low->depth = high->depth = box->depth + 1;
+}
+
+/** Depth-first over boxes; the stack holds one sibling per level. */
+static jacobian_sign prove_by_bisection(const box_coefficients *whole) {
+  box_coefficients stack[MAX_DEPTH + 2];
+  int top = 0;
+  stack[top++] = *whole;
+  bool undecided = false;
+  while (top > 0) {
+    box_coefficients box = stack[--top];
+    double largest, smallest = smallest_value(&box, &largest);
+    if (smallest > box.error)
+      continue;
+    if (has_negative_corner(&box))
+      return JACOBIAN_NONPOSITIVE;
+    if (box.depth == MAX_DEPTH) {
+      undecided = true;
+      continue;
+    }
+    bisect(&box, largest, &stack[top], &stack[top + 1]);
+    top += 2;
+  }
+  return undecided ? JACOBIAN_UNDECIDED : JACOBIAN_POSITIVE;
+}
+
+jacobian_sign prove_jacobian_sign(const double *points, const int32_t *hex) {
+  double edges[3][4][3], largest;
+  if (!collect_edges(points, hex, edges, &largest) || largest < DBL_MIN)
+    return JACOBIAN_UNDECIDED;
+  double product = normalise_edges(edges, largest);
+  box_coefficients whole = {.error = coefficient_error(product), .depth = 0};
+  sum_coefficients(edges, whole.value);
+  return prove_by_bisection(&whole);
+}

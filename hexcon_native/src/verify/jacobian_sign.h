@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/** Proof of the sign of a hex's trilinear Jacobian. */
+#ifndef HEXCON_VERIFY_JACOBIAN_SIGN_H
+#define HEXCON_VERIFY_JACOBIAN_SIGN_H
+
+#include <stdint.h>
+
+typedef enum jacobian_sign {
+  JACOBIAN_POSITIVE,    /**< proved positive on the whole closed hex */
+  JACOBIAN_NONPOSITIVE, /**< proved negative at some point of the hex */
+  JACOBIAN_UNDECIDED    /**< too close to zero for double precision, or out of depth */
+} jacobian_sign;
+
+/**
+ * Sign of the Jacobian determinant of the trilinear map of a hex.
+ * The determinant is a polynomial of degree 2 in each direction; its 27 Bernstein coefficients
+ * bound it, and bisection makes the bound tight. All arithmetic is in double precision with a
+ * running bound on its rounding error, so that the two decided answers are theorems.
+ * @param hex 8 ids, VTK order
+ * Source: Johnen, Weill, Remacle, Robust and efficient validation of the linear hexahedral element
+ * (2017), for the coefficients; the error bound is ours.
+ */
+jacobian_sign prove_jacobian_sign(const double *points, const int32_t *hex);
+
+#endif

@@ -1,0 +1,27 @@
+#!/bin/sh
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Install what is missing, and only that. Usage: setup.sh run|test
+# FREECADCMD set: that FreeCAD is used and Debian's is not installed.
+set -eu
+packages="gcc libc6-dev make cmake ninja-build python3-dev python3-numpy liblbfgs-dev
+          gmsh python3-gmsh calculix-ccx python3-vtk9 python3-meshio xvfb xauth"
+[ -n "${FREECADCMD:-}" ] || packages="$packages freecad"
+if [ "$1" = test ]; then
+  packages="$packages libcmocka-dev python3-pytest clang-format clang-tidy cppcheck"
+fi
+if ! command -v dpkg-query >/dev/null; then
+  echo "setup: no Debian packages here; these must be present:" $packages
+  exit 0
+fi
+missing=
+for package in $packages; do
+  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$status" = installed ] || missing="$missing $package"
+done
+[ -n "$missing" ] || exit 0
+echo "setup: installing$missing"
+root=
+[ "$(id -u)" = 0 ] || root="sudo"
+export DEBIAN_FRONTEND=noninteractive
+$root apt-get update -q
+$root apt-get install -y -q --no-install-recommends $missing

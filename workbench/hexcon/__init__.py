@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""HexCon: hexahedral meshes that keep a given quad surface, from solid to solved model.
+
+The core (hexcon_native) and the programs around it: gmsh for quad surfaces, FreeCAD's FEM
+workbench and CalculiX behind. FreeCAD is imported only by the calls that need it.
+"""
+from hexcon_native import HexconError, Mesh
+
+from .errors import FaultCode, ToolError
+from .meshing import mesh_solid, mesh_surface
+
+__version__ = "0.1.0"
+
+__all__ = ["FaultCode", "HexconError", "Mesh", "ToolError", "mesh_solid", "mesh_surface", "solve",
+           "to_femmesh", "write"]
+
+
+def to_femmesh(mesh, order=None):
+    """FreeCAD's Fem.FemMesh of a mesh; see hexcon.femmesh.to_femmesh."""
+    from .femmesh import to_femmesh as convert
+    return convert(mesh, order)
+
+
+def write(mesh, path, **options):
+    """Write a mesh file; the ending of the path decides. See hexcon.files.write."""
+    from .files import write as write_file
+    write_file(mesh, path, **options)
+
+
+def solve(doc, mesh, solid, **options):
+    """Solve in a FreeCAD document through CalculiX; see hexcon.calculix.solve."""
+    from .calculix import solve as run
+    return run(doc, mesh, solid, **options)

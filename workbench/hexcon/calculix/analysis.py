@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A linear static analysis through FreeCAD's FEM workbench, without its GUI."""
+import os
+import tempfile
+from contextlib import contextmanager
+
+import numpy as np
+
+from hexcon import freecad_compat
+from hexcon.errors import FaultCode, ToolError
+from hexcon.femmesh.convert import from_femmesh, to_femmesh
+from hexcon.femmesh.document import insert
+from hexcon.femmesh.elements import elements_of
+
+from . import constraints as make
+from . import frd
+from .freecad_deck import correct_loads
+from .material import material_of
+from .result import Result
+from .runner import find_ccx, run_ccx
+
+
+def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pressure=None,
+          order=None, workdir=None, timeout=3600, threads=None):
+    """Build an analysis in the document, run ccx, load the results into the document.
+
+    mesh      a hex mesh (it is added as a mesh object), or a document object that holds
+              one (FreeCAD moves it from the analysis it was in, if any, to the new one)
+    solid     the document object whose faces are named
+    material  see material.material_of; None: steel
+    fixed     CAD faces held;  force {"Face2": (fx, fy, fz)} total N, spread evenly;
+    pressure  {"Face3": MPa}, positive onto the face
+    order     1 (C3D8), 2 (C3D20), None: the mesh's own; only for a mesh that is no object
+    workdir   existing folder for the deck and ccx's files; a new temporary one if None
+    timeout   seconds for ccx;  threads  None: all processors
+    Returns a Result. One undo step; on any failure the document is as it was.
+    Raises ToolError: FREECAD_MISSING, TOOL_MISSING, TOOL_FAILED with ccx's words,
+    TOOL_TIMEOUT, BAD_OPTION, BAD_MESH.
+    """
+    force, pressure = _without_zeros(force), dict(pressure or {})
+    material = material_of(material)
+    faces = [[make.face_name(solid, name) for name in group]
+             for group in (fixed, force, pressure)]
+    if not faces[0]:
+        raise ToolError("nothing is held: name at least one fixed face",
+                        FaultCode.BAD_OPTION)
+    program = find_ccx(freecad_compat.ccx_preference())
+    folder = workdir or tempfile.mkdtemp(prefix="hexcon-fem-")
+    if not os.path.isdir(folder):
+        raise ToolError(f"working folder {folder} does not exist", FaultCode.FILE_IO)
+    is_object = hasattr(mesh, "FemMesh")
+    femmesh = mesh.FemMesh if is_object else to_femmesh(mesh, order)
+    setup = _Setup(doc, solid, mesh if is_object else None, femmesh, material)
+    setup.fixed = faces[0]
+    setup.force = dict(zip(faces[1], force.values()))
+    setup.pressure = dict(zip(faces[2], pressure.values()))
+    before = {o.Name for o in doc.Objects}
+    with freecad_compat.transaction(doc, "Solve hex mesh"), setup.restoring():
+        tools = setup.build(folder)
+        found, log = _run(setup, tools, program, timeout, threads)
+        result_object = _load(setup, tools)
+        added = [o for o in doc.Objects if o.Name not in before]
+    return _result(setup, tools, result_object, added, found, log)
+
+
+def _without_zeros(force):
+    """Forces as arrays (3,); a zero force has no direction and is left out."""
+    arrays = {}
+    for name, vector in (force or {}).items():
+        vector = np.asarray(vector, float)
+        if vector.shape != (3,) or not np.isfinite(vector).all():
+            raise ToolError(f"force on {name}: three finite numbers are needed",
+                            FaultCode.BAD_OPTION)
+        if vector.any():
+            arrays[name] = vector
+    return arrays
+
+
+class _Setup:
+    """The objects of one analysis, and the way back."""
+
+    def __init__(self, doc, solid, mesh_object, femmesh, material):
+        self.doc, self.solid, self.material = doc, solid, material
+        self.mesh_object, self.femmesh = mesh_object, femmesh
+        self.fixed, self.force, self.pressure, self.notes = [], {}, {}, []
+        self.mesh = from_femmesh(femmesh)
+        self._fill_faces()
+        self.elements = elements_of(self.mesh)
+
+    def _fill_faces(self):
+        """Where the mesh has no face groups, ask the CAD faces which quads lie on them."""
+        if self.mesh.quads is not None:
+            return
+        elements = elements_of(self.mesh)
+        self.mesh.quads = elements.quads[:, :4]
+        self.mesh.face_of_quad = np.zeros(len(elements.quads), np.int64)
+        for number, face in enumerate(self.solid.Shape.Faces, 1):
+            on_face = np.isin(self.mesh.node_ids, self.femmesh.getNodesByFace(face))
+            inside = on_face[self.mesh.quads].all(axis=1)
+            self.mesh.face_of_quad[inside & (self.mesh.face_of_quad == 0)] = number
+
+    @contextmanager
+    def restoring(self):
+        """Put a given mesh object back as it was if anything fails inside."""
+        given = self.mesh_object
+        group = given.getParentGroup() if given is not None else None
+        groups = set(given.FemMesh.Groups) if given is not None else set()
+        try:
+            yield
+        except BaseException:
+            if given is not None:
+                _remove_groups(given, groups)
+                if group is not None and given not in group.Group:
+                    group.addObject(given)
+            raise
+
+    def build(self, folder):
+        """Make every object and write the deck; returns FreeCAD's ccx tools."""
+        objects = freecad_compat.fem_module("ObjectsFem")
+        doc = self.doc
+        if self.mesh_object is None:
+            self.mesh_object = insert(doc, self.femmesh, self.solid, "HexMesh")
+        analysis = objects.makeAnalysis(doc, "Analysis")
+        solver = freecad_compat.make_ccx_solver(doc)
+        card = objects.makeMaterialSolid(doc, "Material")
+        card.Material = self.material.card()
+        for member in [solver, card, *self._constraints(), self.mesh_object]:
+            analysis.addObject(member)
+        doc.recompute()
+        tools = freecad_compat.fem_module("femtools.ccxtools").FemToolsCcx(analysis, solver)
+        tools.update_objects()
+        tools.setup_working_dir(folder)
+        complaint = tools.check_prerequisites()
+        if complaint:
+            raise ToolError(f"FreeCAD's FEM refuses the analysis: {complaint.strip()}",
+                            FaultCode.TOOL_FAILED)
+        tools.write_inp_file()
+        self._check_deck(tools.inp_file_name)
+        return tools
+
+    def _constraints(self):
+        fixed = make.make_fixed(self.doc, self.solid, self.fixed)
+        made, to_find = [fixed], [(fixed, self.fixed)]
+        for name, value in self.pressure.items():
+            made.append(make.make_pressure(self.doc, self.solid, name, value))
+            to_find.append((made[-1], [name]))
+        for name, vector in self.force.items():
+            constraint, _ = make.make_force(self.doc, self.solid, name, vector)
+            made.append(constraint)
+        self.notes += make.ensure_nodes(self.mesh_object, self.mesh, self.elements,
+                                        self.solid, to_find)
+        return made
+
+    def _check_deck(self, path):
+        if not path or not os.path.exists(path):
+            raise ToolError("FreeCAD wrote no CalculiX deck; its report view says why",
+                            FaultCode.TOOL_FAILED)
+        notes, self.force_sum = correct_loads(
+            path, self.elements, self.force, self.pressure,
+            self.mesh.node_ids, self.mesh.hex_ids)
+        self.notes += notes
+
+
+def _remove_groups(mesh_object, kept):
+    """Take every mesh group but the kept ids out of the object's FemMesh."""
+    added = set(mesh_object.FemMesh.Groups) - kept
+    if added:
+        femmesh = mesh_object.FemMesh.copy()
+        for group in added:
+            femmesh.removeGroup(group)
+        mesh_object.FemMesh = femmesh
+
+
+def _run(setup, tools, program, timeout, threads):
+    """ccx on FreeCAD's deck. FreeCAD's own ccx_run has no time limit, and makes an empty
+    result of a failed run."""
+    try:
+        return run_ccx(tools.inp_file_name, timeout=timeout, threads=threads, ccx=program)
+    except ToolError as error:
+        # ccx names FreeCAD's element numbers; users of arrays want rows
+        rows = np.flatnonzero(np.isin(setup.mesh.hex_ids, np.array(error.elements) + 1))
+        error.elements = rows.tolist()[:1000]
+        error.args = (f"{error}\n(the deck is kept: {tools.inp_file_name})",)
+        raise
+
+
+def _load(setup, tools):
+    """Results into the document through FreeCAD; returns the result object."""
+    analysis = tools.analysis
+    tools.load_results()
+    results = [o for o in analysis.Group if o.isDerivedFrom("Fem::FemResultObject")]
+    if not results or not results[-1].DisplacementVectors:
+        raise ToolError("FreeCAD read no displacements from CalculiX's results",
+                        FaultCode.TOOL_FAILED)
+    return results[-1]
+
+
+def _result(setup, tools, result_object, added, found, log):
+    """Arrays of ccx's results in the mesh's node order."""
+    n = len(setup.mesh.points)
+    row = np.full(setup.mesh.node_ids.max() + 1, -1)
+    row[setup.mesh.node_ids] = np.arange(n)
+    rows = row[found["node_ids"]]
+    displacements, stress = np.zeros((n, 3)), np.zeros((n, 6))
+    displacements[rows] = found["displacements"]
+    stress[rows] = found["stress"]
+    inp = tools.inp_file_name
+    return Result(result_object, added, displacements, stress, frd.von_mises(stress), inp,
+                  os.path.splitext(inp)[0] + ".frd", log,
+                  {"notes": setup.notes, "force_sum": setup.force_sum.tolist()})

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Solving a bare .inp deck, without FreeCAD."""
+import os
+import re
+import shutil
+import tempfile
+from dataclasses import dataclass
+
+import numpy as np
+
+from hexcon.errors import FaultCode, ToolError
+
+from . import frd
+from .runner import run_ccx
+
+
+@dataclass
+class InpResult:
+    """What ccx found, last step.
+
+    node_ids (n,) the deck's own numbers; displacements (n,3); stress (n,6)|None xx yy zz
+    xy yz zx at the nodes; von_mises (n,)|None; integration_points (m,8)|None: element
+    number, point number, the six stresses (where the deck asks *EL PRINT S); log: ccx's.
+    """
+
+    node_ids: np.ndarray
+    displacements: np.ndarray
+    stress: np.ndarray
+    von_mises: np.ndarray
+    integration_points: np.ndarray
+    log: str
+
+    @property
+    def max_displacement(self):
+        return float(np.linalg.norm(self.displacements, axis=1).max(initial=0.0))
+
+
+def _deck_text(deck):
+    """Text of a deck given as text or path; relative *INCLUDE files become absolute."""
+    if not isinstance(deck, os.PathLike) and "\n" in deck:
+        return deck
+    path = os.path.abspath(os.fspath(deck))
+    try:
+        with open(path, encoding="utf-8", errors="replace") as stream:
+            text = stream.read()
+    except OSError as error:
+        raise ToolError(f"cannot read {path}: {error.strerror}", FaultCode.FILE_IO) from error
+
+    def absolute(match):
+        return match.group(1) + os.path.join(os.path.dirname(path), match.group(2))
+    return re.sub(r"(?im)^(\*INCLUDE\s*,\s*INPUT\s*=\s*)(\S+)", absolute, text)
+
+
+def read_dat_stress(path):
+    """(m,8) element number, point, xx yy zz xy yz zx of the last *EL PRINT S, or None."""
+    with open(path, encoding="ascii", errors="replace") as stream:
+        blocks = re.split(r"\n\s*stresses \(", stream.read())
+    if len(blocks) < 2:
+        return None
+    rows = [line.split()[:8] for line in blocks[-1].splitlines()[1:] if line.strip()]
+    return np.array([row for row in rows if len(row) == 8 and row[0].isdigit()]).astype(float)
+
+
+def solve_inp(deck, *, timeout=3600, threads=None, workdir=None, ccx=None):
+    """Run ccx on a deck (text, or path of an .inp file) and read its results.
+
+    workdir  folder that keeps deck.inp, deck.frd, ...; a temporary one if None
+    Raises ToolError: TOOL_MISSING, TOOL_FAILED with ccx's words, TOOL_TIMEOUT, FILE_IO.
+    """
+    text = _deck_text(deck)
+    folder = workdir or tempfile.mkdtemp(prefix="hexcon-ccx-")
+    try:
+        path = os.path.join(folder, "deck.inp")
+        with open(path, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        found, log = run_ccx(path, timeout=timeout, threads=threads, ccx=ccx)
+        dat = os.path.join(folder, "deck.dat")
+        points = read_dat_stress(dat) if os.path.exists(dat) else None
+    except OSError as error:
+        raise ToolError(f"cannot work in {folder}: {error.strerror or error}",
+                        FaultCode.FILE_IO) from error
+    finally:
+        if workdir is None:
+            shutil.rmtree(folder, ignore_errors=True)
+    stress = found["stress"]
+    return InpResult(found["node_ids"], found["displacements"], stress,
+                     None if stress is None else frd.von_mises(stress), points, log)

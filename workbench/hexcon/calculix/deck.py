@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A full linear static deck without FreeCAD."""
+import io
+
+import numpy as np
+
+from hexcon.errors import FaultCode, ToolError
+from hexcon.femmesh.elements import elements_of
+from hexcon.files.abaqus import write_mesh
+from hexcon.files.text import write_list, write_rows
+
+from .loads import face_force
+from .material import material_of
+
+
+def face_number(name):
+    """3 of "Face3", "FACE3" or 3. Raises ToolError(BAD_OPTION)."""
+    digits = str(name).strip()
+    digits = digits[4:] if digits.lower().startswith("face") else digits
+    if not digits.isdigit() or int(digits) < 1:
+        raise ToolError(f"{name!r} names no CAD face; write Face1, Face2, ...",
+                        FaultCode.BAD_OPTION)
+    return int(digits)
+
+
+def static_deck(mesh, material=None, fixed=("Face1",), force=None, pressure=None, *,
+                order=None, prescribed=None, integration_points=False):
+    """Text of a deck that ccx runs as it is.
+
+    mesh        see elements_of; order 1 (C3D8), 2 (C3D20), None: the mesh's own
+    material    see material.material_of
+    fixed       names of CAD faces held in x, y, z
+    force       {"Face2": (fx, fy, fz)} total force in N, as consistent nodal loads
+    pressure    {"Face3": p} in MPa, positive onto the face (*DLOAD)
+    prescribed  (nodes (k,) 0-based, displacements (k,3) mm) at the given order, optional
+    integration_points  print the stresses there to the .dat file
+    Raises ToolError: BAD_OPTION (no such face, nothing held), BAD_MESH.
+    """
+    elements = elements_of(mesh, order)
+    material = material_of(material)
+    if not fixed and prescribed is None:
+        raise ToolError("nothing is held: name at least one fixed face, or CalculiX finds "
+                        "a singular system", FaultCode.BAD_OPTION)
+    out = io.StringIO()
+    out.write("** HexCon: linear static analysis; N, mm, MPa\n")
+    write_mesh(out, elements)
+    out.write(f"*MATERIAL, NAME=SOLID\n*ELASTIC\n{material.young!r}, {material.poisson!r}\n"
+              f"*DENSITY\n{material.density!r}\n"
+              "*SOLID SECTION, ELSET=EALL, MATERIAL=SOLID\n")
+    if fixed:
+        nodes = np.unique(np.concatenate(
+            [elements.nodes_of_face(face_number(f)) for f in fixed]))
+        out.write("*NSET, NSET=FIXED\n")
+        write_list(out, nodes + 1)
+        out.write("*BOUNDARY\nFIXED, 1, 3, 0.0\n")
+    out.write("*STEP\n*STATIC\n")
+    if prescribed is not None:
+        _write_prescribed(out, *prescribed)
+    write_forces(out, elements, force)
+    write_pressures(out, elements, pressure)
+    out.write("*NODE FILE\nU\n*EL FILE\nS\n")
+    if integration_points:
+        out.write("*EL PRINT, ELSET=EALL\nS\n")
+    out.write("*END STEP\n")
+    return out.getvalue()
+
+
+def _write_prescribed(out, nodes, displacements):
+    nodes, values = np.asarray(nodes), np.asarray(displacements, float)
+    out.write("*BOUNDARY\n")
+    for dof in range(3):
+        write_rows(out, f"%d, {dof + 1}, {dof + 1}, %.12e\n", np.column_stack(
+            [nodes.astype(float) + 1, values[:, dof]]))
+
+
+def write_forces(out, elements, force, node_ids=None):
+    """*CLOAD of each {face: (fx, fy, fz)}; loads on shared nodes add up in ccx.
+
+    node_ids (P,): the deck's number of each node; rows + 1 if None."""
+    for name, vector in (force or {}).items():
+        nodes, loads = face_force(elements, face_number(name), vector)
+        numbers = nodes + 1.0 if node_ids is None else node_ids[nodes].astype(float)
+        out.write(f"** force on {name}\n*CLOAD\n")
+        for dof in np.flatnonzero(np.asarray(vector, float)):
+            write_rows(out, f"%d, {dof + 1}, %.12e\n",
+                       np.column_stack([numbers, loads[:, dof]]))
+
+
+def write_pressures(out, elements, pressure, hex_ids=None, sides=None):
+    """*DLOAD of each {face: MPa}; hex_ids (H,): as node_ids above; sides (6,): the deck's
+    label of each row of hexahedron.FACES, 1..6 if None."""
+    sides = np.arange(1, 7) if sides is None else sides
+    for name, value in (pressure or {}).items():
+        rows = elements.quads_of_face(face_number(name))
+        hexes = elements.hex_of_quad[rows]
+        numbers = hexes + 1 if hex_ids is None else hex_ids[hexes]
+        out.write(f"** pressure on {name}\n*DLOAD\n")
+        write_rows(out, f"%d, P%d, {float(value)!r}\n",
+                   np.column_stack([numbers, sides[elements.side_of_quad[rows]]]))

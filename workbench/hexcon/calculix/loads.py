@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Consistent nodal loads of a force spread evenly over the quads of a CAD face."""
+import numpy as np
+
+_G2 = 1 / np.sqrt(3.0)
+_G3 = np.sqrt(0.6)
+_RULE = {4: ([-_G2, _G2], [1.0, 1.0]), 8: ([-_G3, 0.0, _G3], [5 / 9, 8 / 9, 5 / 9])}
+_CORNERS = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+_MIDDLES = np.array([(0, -1), (1, 0), (0, 1), (-1, 0)])
+
+
+def _shape(n_nodes, u, v):
+    """Values (n,) and derivatives (n,2) of the 4- or 8-node quad's shape functions."""
+    a, b = _CORNERS.T
+    p, q = 1 + a * u, 1 + b * v
+    values, du, dv = p * q / 4, a * q / 4, b * p / 4
+    if n_nodes == 4:
+        return values, np.column_stack([du, dv])
+    r = a * u + b * v - 1
+    corner = (p * q * r / 4, a * q * (r + p) / 4, b * p * (r + q) / 4)
+    a, b = _MIDDLES.T
+    across, along = 1 + a * u, 1 + b * v
+    level = b != 0  # middles of the edges v = -1, 1 carry 1 - u^2
+    middle = (np.where(level, (1 - u * u) * along, (1 - v * v) * across) / 2,
+              np.where(level, -2 * u * along, (1 - v * v) * a) / 2,
+              np.where(level, (1 - u * u) * b, -2 * v * across) / 2)
+    values, du, dv = (np.concatenate(pair) for pair in zip(corner, middle))
+    return values, np.column_stack([du, dv])
+
+
+def node_areas(points, quads):
+    """(n,4|8) integral of each node's shape function over its quad; rows sum to the area.
+
+    points (P,3), quads (n,4|8) 0-based. 8-node corners get negative shares: that is right.
+    """
+    places, weights = _RULE[quads.shape[1]]
+    corners = points[quads]
+    areas = np.zeros(quads.shape)
+    for u, wu in zip(places, weights):
+        for v, wv in zip(places, weights):
+            values, slopes = _shape(quads.shape[1], u, v)
+            tangents = np.einsum("nkx,kd->ndx", corners, slopes)
+            size = np.linalg.norm(np.cross(tangents[:, 0], tangents[:, 1]), axis=1)
+            areas += wu * wv * size[:, None] * values
+    return areas
+
+
+def face_force(elements, face_number, force):
+    """Nodes and loads of a total force (N), spread evenly over the mesh's face.
+
+    force (3,). Returns (nodes (k,) 0-based sorted, loads (k,3)); the loads sum to the force
+    whatever the difference between the quads' area and the CAD face's.
+    """
+    quads = elements.quads[elements.quads_of_face(face_number)]
+    areas = node_areas(elements.points, quads)
+    nodes, place = np.unique(quads, return_inverse=True)
+    shares = np.bincount(place.reshape(-1), weights=areas.ravel(), minlength=len(nodes))
+    return nodes, np.outer(shares / shares.sum(), np.asarray(force, float))

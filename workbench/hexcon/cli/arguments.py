@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Options of the command line."""
+import argparse
+
+import hexcon_native
+
+from ..quads import METHODS as SURFACE_METHODS
+from . import commands
+
+_EXIT = ("exit status: 0 done; 1 a fault, its words on standard error; 2 wrong usage; 3 check: not "
+         "certified; 130 interrupted")
+
+
+def _face_vector(text):
+    """Face2=0,0,-100 -> ("Face2", (0, 0, -100))"""
+    try:
+        face, values = text.split("=")
+        vector = tuple(float(v) for v in values.split(","))
+        if not face or len(vector) != 3:
+            raise ValueError
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r}: write FaceN=fx,fy,fz") from None
+    return face, vector
+
+
+def _face_value(text):
+    """Face2=1.5 -> ("Face2", 1.5)"""
+    try:
+        face, value = text.split("=")
+        return face, float(value)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r}: write FaceN=MPa") from None
+
+
+def _add_meshing(command):
+    command.add_argument("--size", type=float, metavar="H",
+                         help="wanted edge length in mm; needed for solids")
+    command.add_argument("--surface-method", choices=SURFACE_METHODS, default="auto",
+                         help="how a solid's surface is meshed with quads")
+    command.add_argument("--method", choices=list(hexcon_native.METHODS), default="auto",
+                         help="how the surface is filled with hexes")
+    command.add_argument("--order", type=int, choices=(1, 2), default=1,
+                         help="2: mid-edge nodes (C3D20)")
+    command.add_argument("--allow-uncertified", action="store_true",
+                         help="write the best mesh found even if its certificate fails")
+    command.add_argument("--timeout", type=float, default=120.0, metavar="S",
+                         help="seconds for gmsh (default 120)")
+
+
+def _add_mesh(commands_parser):
+    command = commands_parser.add_parser(
+        "mesh", help="fill a solid or a quad surface with hexes", epilog=_EXIT,
+        description="IN is a solid (.step .stp .brep .brp .FCStd) or a quad surface (.msh .inp "
+                    ".unv .vtk .vtu .obj .mesh). OUT's ending decides its format: .inp .msh .vtu "
+                    ".vtk .unv .med .FCStd (the last two through FreeCAD).")
+    command.add_argument("input", metavar="IN")
+    command.add_argument("-o", "--output", metavar="OUT", action="append", required=True,
+                         help="may be given several times")
+    _add_meshing(command)
+    command.set_defaults(run=commands.mesh)
+
+
+def _add_check(commands_parser):
+    command = commands_parser.add_parser(
+        "check", help="prove a hex mesh, or say what is wrong with it", epilog=_EXIT,
+        description="MESH is any hex mesh (.inp .msh .vtu .vtk .unv .med .mesh).")
+    command.add_argument("input", metavar="MESH")
+    command.add_argument("--surface", metavar="QUADS",
+                         help="the quad surface that the boundary must equal (default: the mesh's "
+                              "own outer faces)")
+    command.set_defaults(run=commands.check)
+
+
+def _add_info(commands_parser):
+    command = commands_parser.add_parser("info", help="facts of a quad surface", epilog=_EXIT)
+    command.add_argument("input", metavar="SURFACE")
+    command.set_defaults(run=commands.info)
+
+
+def _add_solve(commands_parser):
+    command = commands_parser.add_parser(
+        "solve", help="linear static analysis in CalculiX", epilog=_EXIT,
+        description="IN is a hex mesh that `hexcon mesh` wrote, with its CAD faces, or a solid, "
+                    "which is meshed first. Units: N, mm, MPa.")
+    command.add_argument("input", metavar="IN")
+    command.add_argument("-o", "--output", metavar="OUT",
+                         help="results: .vtu or .vtk, and .png for a picture", action="append",
+                         default=[])
+    _add_meshing(command)
+    command.add_argument("--fixed", metavar="FaceN", action="append", required=True)
+    command.add_argument("--force", metavar="FaceN=fx,fy,fz", action="append", default=[],
+                         type=_face_vector, help="total force on the face, N")
+    command.add_argument("--pressure", metavar="FaceN=p", action="append", default=[],
+                         type=_face_value, help="MPa, positive onto the face")
+    command.add_argument("--young", type=float, default=210000.0, help="MPa (default 210000)")
+    command.add_argument("--poisson", type=float, default=0.3, help="(default 0.3)")
+    command.add_argument("--ccx-timeout", type=float, default=3600.0, metavar="S")
+    command.set_defaults(run=commands.solve)
+
+
+def parse(arguments=None):
+    """Parsed options; .run is the command's function, .command its name."""
+    parser = argparse.ArgumentParser(
+        prog="hexcon", epilog=_EXIT,
+        description="Hexahedral meshes whose boundary is exactly a given quad surface.")
+    commands_parser = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    for add in (_add_mesh, _add_check, _add_info, _add_solve):
+        add(commands_parser)
+    for command in commands_parser.choices.values():
+        command.add_argument("--json", action="store_true", help="one JSON object for machines")
+    return parser.parse_args(arguments)

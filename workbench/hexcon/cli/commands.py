@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What each command does. Every function returns (facts for --json, lines for people)."""
+import os
+
+import numpy as np
+
+import hexcon_native
+
+from ..calculix import solve_inp, static_deck
+from ..errors import FaultCode, ToolError
+from ..files import WRITERS, read_mesh, write
+from ..meshing import mesh_given_surface, mesh_solid
+from ..quads import surface_from_file
+from ..quads.solids import CAD_ENDINGS
+
+SOLID_ENDINGS = (*CAD_ENDINGS, ".fcstd")
+
+
+def _ending(path):
+    return os.path.splitext(path)[1].lower()
+
+
+def _certificate_line(certificate, order=1):
+    if certificate.certified:
+        straight = " (edges are straight: the proof holds for order 2 as well)" if order == 2 else ""
+        return f"certificate   every Jacobian proved positive, proper, boundary exact{straight}"
+    return (f"certificate   NOT certified: conforming {certificate.conforming}, proper "
+            f"{certificate.proper}, boundary exact {certificate.boundary_exact}, "
+            f"{len(certificate.nonpositive)} hexes not proved positive")
+
+
+def _quality_line(quality):
+    return (f"quality       scaled Jacobian min {quality.min:.4f}, 5 % {quality.q05:.4f}, mean "
+            f"{quality.mean:.4f}")
+
+
+def _mesh_input(options):
+    """Mesh of the input, solid or surface."""
+    kept = {"method": options.method, "order": options.order,
+            "allow_uncertified": options.allow_uncertified}
+    if _ending(options.input) in SOLID_ENDINGS:
+        if options.size is None:
+            raise ToolError("a solid needs --size, the wanted edge length in mm",
+                            FaultCode.BAD_OPTION)
+        return mesh_solid(options.input, options.size, surface_method=options.surface_method,
+                          timeout=options.timeout, **kept)
+    return mesh_given_surface(surface_from_file(options.input), **kept)
+
+
+def _facts(mesh):
+    return {"method": mesh.method, "order": mesh.order, "points": len(mesh.points),
+            "hexes": len(mesh.hexes), "quads": len(mesh.quads),
+            "quality": mesh.quality.as_dict(), "certificate": mesh.certificate.as_dict(),
+            "report": {k: v for k, v in mesh.report.items()}}
+
+
+def _mesh_lines(mesh):
+    lines = [f"surface       {len(mesh.quads)} quads, method {mesh.surface.method}"]
+    lines += [f"              {note}" for note in mesh.surface.notes]
+    lines += [f"mesh          {len(mesh.hexes)} hexes, {len(mesh.points)} points, order "
+              f"{mesh.order}, method {mesh.method}: {mesh.report['cap quads']:.0f} cap quads x "
+              f"{mesh.report['rings']:.0f} rings",
+              _quality_line(mesh.quality), _certificate_line(mesh.certificate, mesh.order)]
+    return lines
+
+
+def _check_endings(paths, known):
+    """Before the work, not after it."""
+    for path in paths:
+        if _ending(path) not in known:
+            raise ToolError(f"cannot write {path}: one of {', '.join(sorted(known))} is possible",
+                            FaultCode.FILE_FORMAT)
+
+
+def mesh(options):
+    """hexcon mesh IN -o OUT"""
+    _check_endings(options.output, WRITERS)
+    made = _mesh_input(options)
+    for path in options.output:
+        write(made, path)
+    return (dict(_facts(made), written=options.output),
+            [*_mesh_lines(made), *(f"written       {path}" for path in options.output)])
+
+
+def check(options):
+    """hexcon check MESH [--surface QUADS]"""
+    found = read_mesh(options.input)
+    quads = np.asarray(found.quads)
+    if options.surface:
+        quads = _match_surface(found.points, surface_from_file(options.surface))
+    certificate = hexcon_native.certify(found.points, found.hexes, quads)
+    quality = hexcon_native.quality(found.points, found.hexes)
+    lines = [f"mesh          {len(found.hexes)} hexes, {len(found.points)} points, order "
+             f"{found.order}, {len(found.quads)} boundary quads",
+             _quality_line(quality), _certificate_line(certificate, found.order)]
+    for name, ids in (("not positive", certificate.nonpositive),
+                      ("improper", certificate.improper)):
+        if len(ids):
+            lines.append(f"{name:13} hexes {', '.join(map(str, ids[:20]))}"
+                         f"{' ...' if len(ids) > 20 else ''}")
+    return ({"points": len(found.points), "hexes": len(found.hexes), "order": found.order,
+             "quads": len(found.quads), "quality": quality.as_dict(),
+             "certificate": certificate.as_dict()}, lines)
+
+
+def _match_surface(points, surface):
+    """The surface's quads in the mesh's numbering: files number points as they like.
+
+    Points are the same where they agree to what text files keep, 1e-9 of the extent.
+    """
+    scale = max(float(np.ptp(points, axis=0).max(initial=0.0)), 1e-300) * 1e-9
+    keys = {tuple(row): i for i, row in
+            enumerate(np.round((points - points[0]) / scale / 10).astype(np.int64).tolist())}
+    ids = np.empty(len(surface.points), np.int64)
+    for i, row in enumerate(
+            np.round((surface.points - points[0]) / scale / 10).astype(np.int64).tolist()):
+        if tuple(row) not in keys:
+            raise ToolError(f"point {i} of the surface is no point of the mesh",
+                            FaultCode.FILE_FORMAT, [i])
+        ids[i] = keys[tuple(row)]
+    return ids[surface.quads]
+
+
+def info(options):
+    """hexcon info SURFACE"""
+    surface = surface_from_file(options.input)
+    report = hexcon_native.check_surface(surface.points, surface.quads)
+    crossing = int(np.count_nonzero(report.loops.self_crossings))
+    center = ("none" if report.star_center is None
+              else "(" + ", ".join(f"{c:.6g}" for c in report.star_center) + ")")
+    facts = report.as_dict()
+    facts["notes"] = surface.notes
+    return facts, [
+        f"surface       {report.n} quads ({'even' if report.even else 'ODD'}), {report.points} "
+        f"points, {report.components} component(s), genus {report.genus}",
+        f"loops         {len(report.loops)}, {crossing} of them cross themselves "
+        f"({int(report.loops.self_crossings.sum())} crossings)",
+        f"colouring     {'black and white' if report.bipartite else 'impossible: an odd cycle'}",
+        f"orientation   {'outward' if report.oriented else 'inward (meshing turns it)'}",
+        f"shape         {'convex' if report.convex else 'not convex'}, star centre {center}, "
+        f"volume {report.volume:.6g}",
+        *(f"note          {note}" for note in surface.notes)]
+
+
+def solve(options):
+    """hexcon solve IN --fixed FaceN --force FaceN=fx,fy,fz"""
+    _check_endings(options.output, {".vtu", ".vtk", ".png"})
+    is_solid = _ending(options.input) in SOLID_ENDINGS
+    made = _mesh_input(options) if is_solid else read_mesh(options.input)
+    deck = static_deck(made, {"young": options.young, "poisson": options.poisson},
+                       options.fixed, dict(options.force), dict(options.pressure))
+    result = solve_inp(deck, timeout=options.ccx_timeout)
+    displacements = np.zeros((len(made.points), 3))
+    displacements[result.node_ids - 1] = result.displacements
+    stress = np.zeros(len(made.points))
+    stress[result.node_ids - 1] = result.von_mises
+    for path in options.output:
+        _write_result(made, path, displacements, stress)
+    facts = {"hexes": len(made.hexes), "points": len(made.points), "order": made.order,
+             "max_displacement": result.max_displacement,
+             "max_von_mises": float(stress.max()), "written": options.output}
+    lines = [f"solved        {len(made.hexes)} hexes, {len(made.points)} points, order "
+             f"{made.order}",
+             f"deflection    {result.max_displacement:.6g} mm at most",
+             f"von Mises     {stress.max():.6g} MPa at most"]
+    return facts, [*(_mesh_lines(made) if is_solid else []), *lines,
+                   *(f"written       {path}" for path in options.output)]
+
+
+def _write_result(made, path, displacements, stress):
+    if _ending(path) == ".png":
+        from ..pictures import render
+        render(made, path, displacements=displacements)
+    else:
+        write(made, path, point_data={"displacement": displacements, "von_mises": stress})

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Hex mesh to FreeCAD's FemMesh and back."""
+import re
+from types import SimpleNamespace
+
+import numpy as np
+
+from hexcon import freecad_compat
+from hexcon.errors import FaultCode, ToolError
+
+from .elements import elements_of
+
+# FreeCAD (SMESH) numbers a hexahedron the other way round: entry k is the VTK node that
+# stands at FreeCAD's place k. In VTK order ccx ends with "nonpositive jacobian".
+FREECAD_HEX = [0, 3, 2, 1, 4, 7, 6, 5,
+               11, 10, 9, 8, 15, 14, 13, 12, 16, 19, 18, 17]
+_GROUP = re.compile(r"^Face(\d+)$")
+
+
+def to_femmesh(mesh, order=None):
+    """Fem.FemMesh of a hex mesh.
+
+    mesh   .points, .hexes, .quads, .face_of_quad (see elements.elements_of)
+    order  1 (Hexa8, ccx C3D8), 2 (Hexa20, ccx C3D20, straight edges), None: the mesh's own
+    Node i+1 is point i; volumes are 1..H in the order of hexes; the boundary quads follow
+    as faces H+1..H+n, outward. One face group per CAD face, named "Face3".
+    Raises ToolError: FREECAD_MISSING, BAD_MESH, BAD_OPTION. About 15 us per hexahedron.
+    """
+    return femmesh_of_elements(elements_of(mesh, order))
+
+
+def femmesh_of_elements(elements):
+    """Fem.FemMesh of checked Elements; see to_femmesh."""
+    femmesh = freecad_compat.fem_module("Fem").FemMesh()
+    add_node, add_volume, add_face = femmesh.addNode, femmesh.addVolume, femmesh.addFace
+    for node, (x, y, z) in enumerate(elements.points.tolist(), 1):
+        add_node(x, y, z, node)
+    reordered = elements.hexes[:, FREECAD_HEX[:elements.hexes.shape[1]]] + 1
+    for volume, nodes in enumerate(reordered.tolist(), 1):
+        add_volume(nodes, volume)
+    first_face = len(elements.hexes) + 1
+    for face, nodes in enumerate((elements.quads + 1).tolist(), first_face):
+        add_face(nodes, face)
+    for number in elements.face_numbers():
+        add_group(femmesh, f"Face{number}", "Face",
+                  elements.quads_of_face(number) + first_face)
+    return femmesh
+
+
+def add_group(femmesh, name, kind, ids):
+    """A named group of existing ids; kind is FreeCAD's "Node", "Face" or "Volume"."""
+    group = femmesh.addGroup(name, kind)
+    femmesh.addGroupElements(group, np.asarray(ids).tolist())
+
+
+def _faces_of_groups(femmesh, n_points, row_of_node):
+    """(quads (n,4), face_of_quad (n,)) from the groups called Face<number>."""
+    quads, numbers = [], []
+    for group in femmesh.Groups:
+        name = _GROUP.match(femmesh.getGroupName(group))
+        if name and femmesh.getGroupElementType(group) == "Face":
+            for face in femmesh.getGroupElements(group):
+                quads.append(femmesh.getElementNodes(face)[:4])
+                numbers.append(int(name.group(1)))
+    if not quads:
+        return None, None
+    return row_of_node[np.array(quads)], np.array(numbers)
+
+
+def from_femmesh(femmesh):
+    """Mesh-like object of a FemMesh made of hexahedra of one order.
+
+    Returns an object with points (P,3), hexes, quads, face_of_quad (both None where there
+    are no Face<number> groups), order, and node_ids (P,), hex_ids (H,): FreeCAD's own
+    numbers of the rows. Raises ToolError(BAD_MESH) for other elements.
+    """
+    nodes = femmesh.Nodes
+    if not nodes or not femmesh.HexaCount or femmesh.HexaCount != femmesh.VolumeCount:
+        raise ToolError(
+            f"{femmesh.VolumeCount} volumes of which {femmesh.HexaCount} hexahedra; a mesh "
+            "of hexahedra alone is needed", FaultCode.BAD_MESH)
+    node_ids = np.array(sorted(nodes))
+    row_of_node = np.full(node_ids[-1] + 1, -1, np.int64)
+    row_of_node[node_ids] = np.arange(len(node_ids))
+    points = np.array([tuple(nodes[n]) for n in node_ids.tolist()])
+    hex_ids = np.array(femmesh.Volumes)
+    listed = [femmesh.getElementNodes(v) for v in femmesh.Volumes]
+    size = len(listed[0])
+    if size not in (8, 20) or any(len(nodes) != size for nodes in listed):
+        raise ToolError("hexahedra of mixed order, or not of 8 or 20 nodes",
+                        FaultCode.BAD_MESH)
+    hexes = np.empty((len(listed), size), np.int64)
+    hexes[:, FREECAD_HEX[:size]] = row_of_node[np.array(listed)]
+    quads, numbers = _faces_of_groups(femmesh, len(points), row_of_node)
+    return SimpleNamespace(points=points, hexes=hexes, quads=quads, face_of_quad=numbers,
+                           order=2 if size == 20 else 1, node_ids=node_ids, hex_ids=hex_ids)

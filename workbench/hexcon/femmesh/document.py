@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The hex mesh as an object of a FreeCAD document."""
+from hexcon import freecad_compat
+from hexcon.errors import FaultCode, ToolError
+
+from .convert import to_femmesh
+
+
+class HexMesh:
+    """Proxy of a hex mesh object. Saved documents name this class: never rename or move it."""
+
+    Type = "HexCon::HexMesh"
+
+    def __init__(self, obj):
+        obj.Proxy = self
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    # FreeCAD before 0.21.2 calls the pickle names
+    __getstate__ = dumps
+
+    def __setstate__(self, state):
+        return None
+
+
+def add_to_document(doc, mesh, solid_object, name="HexMesh", order=None):
+    """A mesh object linked to its solid; it survives save and reload, groups included.
+
+    doc           an App.Document, which must hold solid_object
+    mesh          see convert.to_femmesh;  order: as there
+    Returns the document object (Fem::FemMeshObjectPython). One undo step; on any error the
+    document is as it was. Raises ToolError: FREECAD_MISSING, BAD_MESH, BAD_OPTION, BAD_SHAPE.
+    """
+    if solid_object is not None and not hasattr(solid_object, "Shape"):
+        raise ToolError(f"{getattr(solid_object, 'Label', solid_object)!r} has no shape; "
+                        "give the solid the mesh was made from", FaultCode.BAD_SHAPE)
+    femmesh = to_femmesh(mesh, order)  # may fail: before the document is touched
+    with freecad_compat.transaction(doc, "Hex mesh"):
+        return insert(doc, femmesh, solid_object, name)
+
+
+def insert(doc, femmesh, solid_object, name):
+    """add_to_document without checks and transaction."""
+    mesh_object = freecad_compat.add_mesh_object(doc, name, solid_object)
+    HexMesh(mesh_object)
+    mesh_object.FemMesh = femmesh
+    view = getattr(mesh_object, "ViewObject", None)
+    if view is not None and getattr(view, "Proxy", 0) is None:
+        view.Proxy = 0  # FreeCAD's own display; without this a Python object stays hidden
+    mesh_object.purgeTouched()
+    return mesh_object

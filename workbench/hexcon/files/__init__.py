@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Mesh files: the ending decides. All but .FCStd and .med work without FreeCAD."""
+import inspect
+import os
+import tempfile
+from types import SimpleNamespace
+
+import numpy as np
+
+from hexcon.errors import FaultCode, ToolError
+from hexcon.femmesh.boundary import owners
+from hexcon.femmesh.elements import elements_of
+
+from . import abaqus, freecad, gmsh, unv, vtk
+from .through_meshio import read_meshio
+
+WRITERS = {".inp": abaqus.write, ".msh": gmsh.write, ".vtu": vtk.write_vtu,
+           ".vtk": vtk.write_vtk, ".unv": unv.write, ".med": freecad.write_med,
+           ".fcstd": freecad.write_fcstd}
+READERS = {".inp": abaqus.read, ".unv": unv.read, ".med": freecad.read_med,
+           ".msh": read_meshio, ".vtu": read_meshio, ".vtk": read_meshio,
+           ".mesh": read_meshio}
+
+__all__ = ["READERS", "WRITERS", "read_hexes", "read_mesh", "write"]
+
+
+def _by_ending(path, table, verb):
+    ending = os.path.splitext(path)[1].lower()
+    if ending not in table:
+        known = ", ".join(".FCStd" if e == ".fcstd" else e for e in table)
+        raise ToolError(f"cannot {verb} {path}: ending {ending or '(none)'} is unknown; "
+                        f"one of {known} is possible", FaultCode.FILE_FORMAT)
+    return table[ending]
+
+
+def write(mesh, path, *, order=None, **options):
+    """Write a hex mesh; the ending of path decides the format.
+
+    mesh     .points, .hexes, .quads, .face_of_quad (see femmesh.elements.elements_of)
+    order    1, 2 or None for the mesh's own
+    options  .vtu and .vtk: point_data, cell_data (dicts of arrays); .FCStd: solid (a shape)
+    The file is written beside its place and then put there: never a partial file.
+    Raises ToolError: FILE_FORMAT (ending), FILE_IO (no permission, disk full, no folder),
+    FREECAD_MISSING, BAD_MESH, BAD_OPTION.
+    """
+    path = os.fspath(path)
+    writer = _by_ending(path, WRITERS, "write")
+    unknown = set(options) - set(inspect.signature(writer).parameters)
+    if unknown:
+        raise ToolError(f"{', '.join(sorted(unknown))} cannot be put into {path}",
+                        FaultCode.BAD_OPTION)
+    elements = elements_of(mesh, order)
+    replace_file(path, lambda beside: writer(beside, elements, **options))
+
+
+def replace_file(path, write_to):
+    """Call write_to(name beside path), then move that file to path, or leave no trace.
+
+    OSError becomes ToolError(FILE_IO)."""
+    folder, base = os.path.split(os.path.abspath(path))
+    try:
+        # a folder of its own: some writers (FreeCAD) put files of their own beside theirs
+        with tempfile.TemporaryDirectory(prefix=".hexcon-", dir=folder) as beside:
+            write_to(os.path.join(beside, base))
+            os.replace(os.path.join(beside, base), path)
+    except OSError as error:
+        raise ToolError(f"cannot write {path}: {error.strerror or error}",
+                        FaultCode.FILE_IO) from error
+
+
+def _read(path):
+    """(points, hexes, faces) of any READERS format, faults named."""
+    path = os.fspath(path)
+    reader = _by_ending(path, READERS, "read")
+    try:
+        with open(path, "rb"):
+            pass
+        return reader(path)
+    except OSError as error:
+        raise ToolError(f"cannot read {path}: {error.strerror or error}",
+                        FaultCode.FILE_IO) from error
+    except (ValueError, IndexError, KeyError) as error:
+        raise ToolError(f"{path} is not readable as a hex mesh: {error}",
+                        FaultCode.FILE_FORMAT) from error
+
+
+def read_hexes(path):
+    """(points (P,3) float64, hexes (H,8|20) int64, 0-based, VTK order) of a mesh file.
+
+    Endings .inp .msh .vtu .vtk .unv .med .mesh. Shells, beams and points are passed over;
+    other solids (tetrahedra ...) are an error, for a check must not skip them.
+    Raises ToolError: FILE_FORMAT, FILE_IO, TOOL_MISSING (meshio), FREECAD_MISSING (.med).
+    """
+    return _read(path)[:2]
+
+
+def read_mesh(path):
+    """As read_hexes, as a mesh: .points, .hexes, .order, .quads, .face_of_quad.
+
+    quads (n,4) is the whole boundary, outward; face_of_quad (n,) the CAD face numbers that
+    write() put into .inp, .msh, .vtu, .unv and .med (surfaces and groups Face1, Face2 ...),
+    0 where there are none. So a file can be given loads by face.
+    """
+    points, hexes, faces = _read(path)
+    mesh = SimpleNamespace(points=points, hexes=hexes, order=2 if hexes.shape[1] == 20 else 1,
+                           quads=None, face_of_quad=None, report={}, certificate=None)
+    boundary = elements_of(mesh)
+    mesh.quads, mesh.face_of_quad = boundary.quads[:, :4], boundary.face_of_quad
+    if faces is not None:
+        named = owners(hexes, faces[0], len(points))
+        side = np.zeros((len(hexes), 6), np.int64)
+        side[named] = faces[1]
+        mesh.face_of_quad = side[boundary.hex_of_quad, boundary.side_of_quad]
+    return mesh

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+""".FCStd and .med: the endings that need FreeCAD's modules."""
+import os
+
+from hexcon import freecad_compat
+from hexcon.errors import FaultCode, ToolError
+
+
+def write_fcstd(path, elements, solid=None, name="HexMesh"):
+    """A document with the mesh object and, where given, its solid (Part shape)."""
+    from hexcon.femmesh.convert import femmesh_of_elements
+    from hexcon.femmesh.document import insert
+    app = freecad_compat.freecad()
+    femmesh = femmesh_of_elements(elements)
+    active = app.ActiveDocument
+    doc = app.newDocument("HexConExport", hidden=True, temp=True)
+    try:
+        solid_object = None
+        if solid is not None:
+            solid_object = doc.addObject("Part::Feature", "Solid")
+            solid_object.Shape = solid
+        insert(doc, femmesh, solid_object, name)
+        doc.recompute()
+        doc.saveCopy(path)
+    finally:
+        app.closeDocument(doc.Name)
+        if active is not None:
+            app.setActiveDocument(active.Name)
+    _written(path)
+
+
+def write_med(path, elements):
+    """MED with groups, through FreeCAD's FemMesh (SMESH)."""
+    from hexcon.femmesh.convert import femmesh_of_elements
+    femmesh_of_elements(elements).write(path)
+    _written(path)
+
+
+def _written(path):
+    # FreeCAD reports some failures on the console only
+    if not os.path.exists(path) or not os.path.getsize(path):
+        raise ToolError(f"FreeCAD wrote nothing to {path}", FaultCode.TOOL_FAILED)
+
+
+def read_med(path):
+    """(points, hexes, faces) of a .med file through FreeCAD; see abaqus.read."""
+    from hexcon.femmesh.convert import from_femmesh
+    mesh = from_femmesh(freecad_compat.fem_module("Fem").read(path))
+    faces = None if mesh.quads is None else (mesh.quads, mesh.face_of_quad)
+    return mesh.points, mesh.hexes, faces

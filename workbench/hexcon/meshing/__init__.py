@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a quad surface, or from a solid, to a certified hex mesh."""
+import time
+
+import hexcon_native
+from hexcon_native import ErrorCode, HexconError
+
+from ..quads import surface_from_solid
+
+__all__ = ["mesh_given_surface", "mesh_solid", "mesh_surface"]
+
+
+def mesh_surface(points, quads, method="auto", **options):
+    """Fill a quad surface; arguments, result and errors as hexcon_native.mesh.
+
+    The place where methods join that need other programs; today it is the core alone.
+    """
+    return hexcon_native.mesh(points, quads, method, **options)
+
+
+def mesh_given_surface(surface, method="auto", **options):
+    """As mesh_surface for a quads.QuadSurface; the mesh gets .surface and .face_of_quad."""
+    try:
+        mesh = mesh_surface(surface.points, surface.quads, method, **options)
+    except HexconError as fault:
+        if fault.code == ErrorCode.NOT_SWEPT and surface.notes:
+            raise HexconError(f"{fault} (the surface: {'; '.join(surface.notes)})", fault.code,
+                              fault.elements) from fault
+        raise
+    mesh.surface = surface
+    mesh.face_of_quad = surface.face_of_quad
+    mesh.report["surface method"] = surface.method
+    mesh.report["surface notes"] = list(surface.notes)
+    return mesh
+
+
+def mesh_solid(shape_or_file, size, *, surface_method="auto", method="auto", timeout=120.0,
+               progress=None, **options):
+    """A certified hex mesh of one solid.
+
+    shape_or_file   a FreeCAD Part.Shape, or the path of a .step .stp .brep .brp .FCStd file
+    size            wanted edge length, in the unit of the shape (mm)
+    surface_method  how its surface is meshed with quads: hexcon.quads.METHODS
+    method          how the surface is filled: hexcon_native.METHODS
+    timeout         seconds for gmsh
+    progress        callable (stage, fraction); returning False or raising cancels
+    options         order, threads, allow_uncertified: as hexcon_native.mesh
+    Returns a Mesh with two attributes more: .surface (quads.QuadSurface) and .face_of_quad
+    ((n,) int64, 1-based CAD face of each boundary quad).
+    Raises HexconError: those of quads.surface_from_solid and hexcon_native.mesh.
+    """
+    started = time.monotonic()
+    surface = surface_from_solid(shape_or_file, size, surface_method, timeout=timeout,
+                                 progress=_raising(progress))
+    seconds = time.monotonic() - started
+    mesh = mesh_given_surface(surface, method, progress=progress, **options)
+    mesh.report["seconds surface"] = seconds
+    return mesh
+
+
+def _raising(progress):
+    """The surface's progress cancels by exception only: turn a False into one."""
+    if progress is None:
+        return None
+
+    def report(stage, fraction):
+        if progress(stage, fraction) is False:
+            raise HexconError(f"cancelled during {stage}", ErrorCode.CANCELLED)
+    return report

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pictures of a mesh and of its displacements, drawn by VTK without a screen."""
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+
+from hexcon.errors import FaultCode, ToolError
+from hexcon.femmesh.elements import elements_of
+from hexcon.femmesh.scaled_jacobian import scaled_jacobian
+from hexcon.femmesh.second_order import raise_order
+from hexcon.files import replace_file
+
+_SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "scene.py")
+
+
+def render(mesh, path, *, displacements=None, warp=None, cut="auto", title=None,
+           size=None, timeout=300):
+    """Write a PNG: left the mesh, cut open between whole hexahedra and coloured by scaled
+    Jacobian; right, where displacements are given, the displaced shape.
+
+    displacements  (P,3) mm, in the mesh's node order; of an order 1 mesh also those
+                   of a run at order 2
+    warp   factor on the displacements; None: the largest becomes 8 % of the diagonal
+    cut    "auto": the half towards the viewer (-y) is taken away;
+           None: no cut; or (point (3,), normal (3,)): hexahedra whose centre lies on the
+           normal's side are taken away
+    size   (width, height) in pixels, (1700, 850) with displacements, else (1000, 850)
+    A process of its own draws, under xvfb-run where there is no screen, because Debian's
+    VTK ends the whole process without one.
+    Raises ToolError: TOOL_MISSING (VTK or xvfb), TOOL_FAILED, TOOL_TIMEOUT, FILE_IO,
+    BAD_MESH, BAD_OPTION.
+    """
+    path = os.fspath(path)
+    if not path.lower().endswith(".png"):
+        raise ToolError(f"cannot draw {path}: the ending must be .png", FaultCode.FILE_FORMAT)
+    job = _job(elements_of(mesh), displacements, warp, cut, title, size)
+    with tempfile.TemporaryDirectory(prefix="hexcon-picture-") as folder:
+        arrays = os.path.join(folder, "scene.npz")
+        np.savez(arrays, **job)
+        replace_file(path, lambda beside: _draw(arrays, beside, timeout))
+
+
+def _job(elements, displacements, warp, cut, title, size):
+    """Plain arrays for scene.py; edges are drawn straight, from corner to corner."""
+    points, hexes = elements.points, elements.hexes[:, :8]
+    quality = scaled_jacobian(points, hexes)
+    job = {"points": points, "hexes": hexes, "quality": quality, "title": title or ""}
+    if displacements is not None:
+        displacements = np.asarray(displacements, float)
+        if elements.order == 1 and len(displacements) > len(points):
+            # of the same mesh at second order: its middle nodes follow the points
+            if len(displacements) == len(raise_order(points, hexes)[0]):
+                displacements = displacements[:len(points)]
+        if displacements.shape != points.shape or not np.isfinite(displacements).all():
+            raise ToolError(f"displacements have shape {displacements.shape}; finite numbers "
+                            f"of shape {points.shape} are needed", FaultCode.BAD_OPTION)
+        largest = np.linalg.norm(displacements, axis=1).max()
+        if warp is None:
+            diagonal = np.linalg.norm(np.ptp(points, axis=0))
+            warp = _round_factor(0.08 * diagonal / largest) if largest > 0 else 1.0
+        job.update(displacements=displacements, warp=float(warp))
+    job["size"] = np.array(size or ((1700, 850) if displacements is not None
+                                    else (1000, 850)))
+    job["keep"] = _kept(points, hexes, cut)
+    return job
+
+
+def _round_factor(factor):
+    """1, 2 or 5 times a power of ten, at most the given factor."""
+    power = 10.0 ** np.floor(np.log10(factor))
+    return float(power * max(m for m in (1, 2, 5) if m <= factor / power * (1 + 1e-9)))
+
+
+def _kept(points, hexes, cut):
+    """(H,) bool: hexahedra that stay when the mesh is cut open."""
+    if cut is None:
+        return np.ones(len(hexes), bool)
+    centres = points[hexes].mean(axis=1)
+    if isinstance(cut, str):
+        if cut != "auto":
+            raise ToolError(f"cut {cut!r}: \"auto\", None or (point, normal) is possible",
+                            FaultCode.BAD_OPTION)
+        low, high = points.min(axis=0), points.max(axis=0)
+        # the viewer stands at -y (see scene.py)
+        point, normal = 0.5 * (low + high), np.array([0.0, -1.0, 0.0])
+    else:
+        point, normal = (np.asarray(v, float) for v in cut)
+    keep = (centres - point) @ normal <= 1e-9 * np.ptp(points, axis=0).max()
+    return keep if keep.any() else np.ones(len(hexes), bool)
+
+
+def _python():
+    """An interpreter to draw with: this one, or inside FreeCAD the one it was built for."""
+    if os.environ.get("HEXCON_PYTHON"):
+        return os.environ["HEXCON_PYTHON"]
+    if os.path.basename(sys.executable or "").lower().startswith("python"):
+        return sys.executable
+    name = f"python{sys.version_info.major}.{sys.version_info.minor}"
+    beside = os.path.join(sys.base_prefix, "bin", name)
+    return beside if os.path.exists(beside) else (shutil.which(name) or "python3")
+
+
+def _command(arrays, path):
+    """The drawing program's command line, under xvfb-run where there is no screen."""
+    command = [_python(), _SCENE, arrays, path]
+    if not sys.platform.startswith("linux") or os.environ.get("DISPLAY"):
+        return command
+    xvfb = shutil.which("xvfb-run")
+    if xvfb is None:
+        raise ToolError("drawing needs a screen, and there is neither DISPLAY nor xvfb-run "
+                        "(Debian: apt install xvfb)", FaultCode.TOOL_MISSING)
+    return [xvfb, "-a", "-s", "-screen 0 640x480x24"] + command
+
+
+def _run(command, timeout):
+    """(exit status, output) of the command, in a session of its own: at the time limit
+    xvfb-run's children have to go as well."""
+    try:
+        process = subprocess.Popen(
+            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT, encoding="utf-8", errors="replace",
+            start_new_session=True)
+    except FileNotFoundError as error:
+        raise ToolError(f"no Python to draw with: {error}; set HEXCON_PYTHON",
+                        FaultCode.TOOL_MISSING) from error
+    with process:
+        try:
+            output, _ = process.communicate(timeout=timeout)
+        except BaseException as error:
+            _end(process)
+            if isinstance(error, subprocess.TimeoutExpired):
+                raise ToolError(f"the picture was not drawn within {timeout} s",
+                                FaultCode.TOOL_TIMEOUT) from error
+            raise
+    return process.returncode, output
+
+
+def _end(process):
+    """End the process and what it started."""
+    if hasattr(os, "killpg"):
+        os.killpg(process.pid, signal.SIGKILL)
+    else:
+        process.kill()
+
+
+def _draw(arrays, path, timeout):
+    status, output = _run(_command(arrays, path), timeout)
+    if status or not os.path.exists(path):
+        if "No module named 'vtk" in output:
+            raise ToolError("drawing needs VTK for Python (Debian: apt install python3-vtk9; "
+                            "others: pip install vtk)", FaultCode.TOOL_MISSING)
+        raise ToolError("VTK did not draw the picture:\n" + output.strip()[-1500:],
+                        FaultCode.TOOL_FAILED)

@@ -1,0 +1,248 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Draws one prepared scene: python3 scene.py ARRAYS.npz PICTURE.png
+
+A program of its own, started by hexcon.pictures; it imports nothing of HexCon.
+"""
+import sys
+
+import numpy as np
+from vtkmodules import (vtkInteractionStyle, vtkRenderingContextOpenGL2,  # noqa: F401
+                        vtkRenderingFreeType, vtkRenderingOpenGL2)
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
+from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, vtkCellArray,
+                                           vtkUnstructuredGrid)
+from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkActor2D, vtkPolyDataMapper,
+                                         vtkRenderer, vtkRenderWindow, vtkTextActor,
+                                         vtkWindowToImageFilter)
+
+TEXT = (0.13, 0.15, 0.18)
+EDGE = (0.16, 0.18, 0.22)
+# Viridis, seven stops: even in lightness, readable without colour vision
+VIRIDIS = np.array([(68, 1, 84), (70, 50, 127), (54, 92, 141), (39, 127, 142),
+                    (31, 161, 135), (74, 194, 109), (159, 218, 58), (253, 231, 37)]) / 255
+# 0 to 1: low quality warm, good quality cool; below 0 (inverted) one colour of its own
+QUALITY = np.array([(165, 0, 38), (222, 63, 46), (248, 142, 82), (254, 212, 133),
+                    (246, 246, 200), (183, 221, 216), (116, 173, 209), (69, 117, 180)]) / 255
+INVERTED = np.array([(80, 0, 90)]) / 255
+VIEW = np.array([-0.42, -1.0, 0.52])  # from the solid to the viewer
+
+
+def grid(points, hexes, name, values, on_points):
+    """vtkUnstructuredGrid with one array of scalars."""
+    made = vtkUnstructuredGrid()
+    vtk_points = vtkPoints()
+    vtk_points.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
+    made.SetPoints(vtk_points)
+    cells = vtkCellArray()
+    cells.SetData(8, numpy_to_vtkIdTypeArray(
+        np.ascontiguousarray(hexes, np.int64).ravel(), deep=True))
+    made.SetCells(VTK_HEXAHEDRON, cells)
+    array = numpy_to_vtk(np.ascontiguousarray(values, np.float64), deep=True)
+    array.SetName(name)
+    (made.GetPointData() if on_points else made.GetCellData()).SetScalars(array)
+    return made
+
+
+def table(colours, low, high, below_zero=None):
+    """Lookup table of 256 colours between the stops.
+
+    With below_zero (1,3) the stops span 0 to high, and lower values have that colour."""
+    made = vtkLookupTable()
+    made.SetNumberOfTableValues(256)
+    start = low if below_zero is None else max(low, 0.0)
+    stops = np.linspace(start, high, len(colours))
+    for k, value in enumerate(np.linspace(low, high, 256)):
+        colour = (below_zero[0] if value < start
+                  else [np.interp(value, stops, c) for c in colours.T])
+        made.SetTableValue(k, *colour, 1.0)
+    made.SetRange(low, high)
+    made.Build()
+    return made
+
+
+def surface_actor(data, lookup, edges=True):
+    """The outside of the cells, coloured, with the cells' edges."""
+    outside = vtkGeometryFilter()
+    outside.SetInputData(data)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(outside.GetOutputPort())
+    mapper.SetLookupTable(lookup)
+    mapper.UseLookupTableScalarRangeOn()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    look = actor.GetProperty()
+    look.SetInterpolationToFlat()
+    look.SetAmbient(0.55)
+    look.SetDiffuse(0.50)
+    if edges:
+        look.EdgeVisibilityOn()
+        look.SetEdgeColor(EDGE)
+        look.SetLineWidth(1.0 if data.GetNumberOfCells() < 20000 else 0.5)
+    return actor
+
+
+def outline_actor(data):
+    """The undisplaced solid's sharp edges, grey."""
+    outside = vtkGeometryFilter()
+    outside.SetInputData(data)
+    sharp = vtkFeatureEdges()
+    sharp.SetInputConnection(outside.GetOutputPort())
+    sharp.SetFeatureAngle(35)
+    sharp.ColoringOff()
+    sharp.NonManifoldEdgesOff()
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(sharp.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(0.55, 0.57, 0.60)
+    actor.GetProperty().SetLineWidth(1.5)
+    return actor
+
+
+def text_actor(text, x, y, size, bold=False, centred=False):
+    """Text whose lower left (or middle) is at (x, y) of its renderer, 0 to 1."""
+    actor = vtkTextActor()
+    actor.SetInput(text)
+    style = actor.GetTextProperty()
+    style.SetFontFamilyToArial()
+    style.SetFontSize(size)
+    style.SetColor(TEXT)
+    style.SetBold(bold)
+    if centred:
+        style.SetJustificationToCentered()
+    actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+    actor.SetPosition(x, y)
+    return actor
+
+
+def scalar_bar(lookup, label_format, labels):
+    """A horizontal bar at the foot; its caption is a text of its own, because VTK's
+    title scales with the bar."""
+    bar = vtkScalarBarActor()
+    bar.SetLookupTable(lookup)
+    bar.SetOrientationToHorizontal()
+    bar.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+    bar.SetPosition(0.16, 0.05)
+    bar.SetWidth(0.68)
+    bar.SetHeight(0.075)
+    bar.SetNumberOfLabels(labels)
+    bar.SetMaximumNumberOfColors(256)
+    bar.SetUnconstrainedFontSize(True)
+    bar.SetLabelFormat(label_format)
+    style = bar.GetLabelTextProperty()
+    style.SetFontFamilyToArial()
+    style.SetFontSize(19)
+    style.SetColor(TEXT)
+    style.SetItalic(0)
+    style.SetBold(0)
+    style.SetShadow(0)
+    return bar
+
+
+def renderer(window, viewport, actors, bounds_of, aspect):
+    """One half of the picture, its camera fitted to the points bounds_of (k,3)."""
+    made = vtkRenderer()
+    made.SetBackground(1, 1, 1)
+    made.SetViewport(*viewport)
+    for actor in actors:
+        (made.AddActor2D if isinstance(actor, vtkActor2D) else made.AddActor)(actor)
+    window.AddRenderer(made)
+    fit_camera(made, bounds_of, aspect)
+    return made
+
+
+def fit_camera(made, points, aspect):
+    """Parallel projection that fits the points between the captions and the scalar bar."""
+    view = VIEW / np.linalg.norm(VIEW)
+    right = np.cross((0, 0, 1.0), view)
+    right /= np.linalg.norm(right)
+    up = np.cross(view, right)
+    u, v = points @ right, points @ up
+    width, height = max(np.ptp(u), 1e-12), max(np.ptp(v), 1e-12)
+    scale = max(height / 0.62, width / (0.88 * aspect)) / 2
+    # free of text: from 0.17 to 0.85 of the height; its middle is at 0.51
+    middle = ((u.min() + u.max()) / 2 * right + (v.min() + v.max()) / 2 * up
+              - 2 * scale * 0.01 * up)
+    depth = points @ view
+    middle = middle + (depth.min() + depth.max()) / 2 * view
+    camera = made.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetFocalPoint(*middle)
+    camera.SetPosition(*(middle + view * (np.ptp(depth) + scale) * 4))
+    camera.SetViewUp(0, 0, 1)
+    camera.SetParallelScale(scale)
+    made.ResetCameraClippingRange()
+
+
+def mesh_half(job):
+    """(actors, points that must be seen) of the mesh with its cut."""
+    keep, points, hexes = job["keep"], job["points"], job["hexes"]
+    quality = job["quality"]
+    # round ends, so that the labels are round: 0 to 1, or from -0.2, -0.4, ... to 1
+    steps = 5 + int(np.ceil(max(0.0, -float(quality.min())) / 0.2 - 1e-9))
+    low = 1.0 - 0.2 * steps
+    lookup = table(QUALITY, low + 1e-9, 1.0 + 1e-9, INVERTED)  # 1e-9: no label "-0.00"
+    shown = grid(points, hexes[keep], "q", quality[keep], False)
+    whole = grid(points, hexes, "q", quality, False)
+    actors = [surface_actor(shown, lookup), outline_actor(whole),
+              scalar_bar(lookup, "%-#.2f", steps + 1),
+              text_actor("scaled Jacobian", 0.5, 0.133, 20, centred=True),
+              text_actor(f"{len(hexes):,} hexahedra", 0.03, 0.885, 26, bold=True),
+              text_actor(f"scaled Jacobian {quality.min():.3g} to {quality.max():.3g}, "
+                         f"mean {quality.mean():.3g}"
+                         + ("" if keep.all() else "; cut open"), 0.03, 0.845, 19)]
+    return actors, points
+
+
+def displaced_half(job):
+    """(actors, points that must be seen) of the displaced shape."""
+    points, hexes, shift = job["points"], job["hexes"], job["displacements"]
+    warp = float(job["warp"])
+    size = np.linalg.norm(shift, axis=1)
+    moved = points + warp * shift
+    lookup = table(VIRIDIS, 0.0, float(size.max()) or 1.0)
+    actors = [surface_actor(grid(moved, hexes, "u", size, True), lookup),
+              outline_actor(grid(points, hexes, "u", size, True)),
+              scalar_bar(lookup, "%-.3g", 6),
+              text_actor("displacement in mm", 0.5, 0.133, 20, centred=True),
+              text_actor("Displaced shape", 0.03, 0.885, 26, bold=True),
+              text_actor(f"largest displacement {size.max():.4g} mm, drawn {warp:g} times",
+                         0.03, 0.845, 19)]
+    return actors, np.vstack([points, moved])
+
+
+def draw(job, path):
+    """The whole picture to a PNG."""
+    width, height = (int(n) for n in job["size"])
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(8)
+    window.SetSize(width, height)
+    halves = [mesh_half(job)]
+    if "displacements" in job:
+        halves.append(displaced_half(job))
+    share = 1.0 / len(halves)
+    for k, (actors, seen) in enumerate(halves):
+        if k == 0 and str(job["title"]):
+            actors.append(text_actor(str(job["title"]), 0.03, 0.94, 30, bold=True))
+        renderer(window, (k * share, 0, (k + 1) * share, 1), actors, seen,
+                 width * share / height)
+    window.Render()
+    image = vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetFileName(path)
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.Write()
+
+
+if __name__ == "__main__":
+    with np.load(sys.argv[1]) as loaded:
+        draw({name: loaded[name] for name in loaded.files}, sys.argv[2])

@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Quad surfaces: from a solid (gmsh in a subprocess), from a file, from a FreeCAD object."""
+from .documents import surface_from_object
+from .files import surface_from_file
+from .solids import METHODS, surface_from_solid
+from .surface import QuadSurface
+
+__all__ = ["METHODS", "QuadSurface", "surface_from_file", "surface_from_object", "surface_from_solid"]

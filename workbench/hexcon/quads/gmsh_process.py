@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Run gmsh in a process of its own: it may crash, hang, or be cancelled without harm to the caller.
+
+The interpreter is $HEXCON_GMSH_PYTHON, or else this one if it has gmsh and numpy, or else /usr/bin/python3.
+"""
+import functools
+import importlib.util
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+
+import numpy as np
+
+from hexcon.errors import FaultCode, ToolError
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+POLL = 0.03     # seconds between looks at the subprocess
+CRASHES = 12    # so often a job is started again without the step that killed it
+
+
+@functools.lru_cache(maxsize=None)
+def gmsh_python(named=None):
+    """Path of a Python that can `import gmsh, numpy`. named: the value of HEXCON_GMSH_PYTHON, if set.
+
+    Raises ToolError TOOL_MISSING. The answer is kept for the life of the process.
+    """
+    if named:
+        if _has_gmsh(named):
+            return named
+        raise ToolError(f"HEXCON_GMSH_PYTHON is {named}, which cannot import gmsh and numpy", FaultCode.TOOL_MISSING)
+    is_python = os.path.basename(sys.executable or "").lower().startswith("python")
+    if is_python and all(importlib.util.find_spec(m) for m in ("gmsh", "numpy")):
+        return sys.executable
+    if _has_gmsh("/usr/bin/python3"):
+        return "/usr/bin/python3"
+    raise ToolError("no Python with the gmsh module was found: install python3-gmsh (or pip install gmsh), or set "
+                    "HEXCON_GMSH_PYTHON to the interpreter that has it", FaultCode.TOOL_MISSING)
+
+
+def _has_gmsh(python):
+    try:
+        return subprocess.run([python, "-c", "import gmsh, numpy"], stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL, timeout=60, check=False).returncode == 0
+    except (OSError, subprocess.TimeoutExpired):
+        return False
+
+
+def run_job(write_input, job, timeout, progress=None):
+    """Mesh in a subprocess; returns the arrays of result.npz as a dict.
+
+    write_input  callable(folder) -> path of the CAD file, in the temporary folder or anywhere
+    job          dict with method and size
+    timeout      seconds, for the subprocess alone
+    progress     callable(stage, fraction); whatever it raises stops the work and comes out here
+    Where gmsh crashes in a step that has an alternative, the work is done again without that step.
+    Raises ToolError TOOL_MISSING, TOOL_TIMEOUT, TOOL_FAILED (with gmsh's last words), or what the worker found.
+    """
+    python = gmsh_python(os.environ.get("HEXCON_GMSH_PYTHON") or None)
+    with tempfile.TemporaryDirectory(prefix="hexcon-quads-") as folder:
+        job = dict(job, file=os.path.abspath(write_input(folder)), timeout=timeout, avoid=[])
+        job_path = os.path.join(folder, "job.json")
+        limit = time.monotonic() + timeout
+        while True:
+            with open(job_path, "w", encoding="utf-8") as stream:
+                json.dump(job, stream)
+            code = _run(python, job_path, folder, limit, timeout, progress)
+            risk = _crashed_in(folder, code)
+            if risk is None or len(job["avoid"]) >= CRASHES:
+                return _result(folder, code)
+            job["avoid"].append(risk)
+
+
+def _crashed_in(folder, code):
+    """Name of the step in which the subprocess was killed, once; None if it ended by itself."""
+    path = os.path.join(folder, "risk.txt")
+    if code in (0, 1) or not os.path.exists(path):
+        return None
+    with open(path, encoding="utf-8") as stream:
+        name = stream.read()
+    os.remove(path)
+    return name
+
+
+def _run(python, job_path, folder, limit, timeout, progress):
+    """Start, watch, and in any case end the subprocess; its exit status."""
+    env = dict(os.environ, PYTHONPATH=HERE, PYTHONDONTWRITEBYTECODE="1", OMP_NUM_THREADS="1")
+    with open(os.path.join(folder, "log.txt"), "wb") as log:
+        try:
+            process = subprocess.Popen([python, "-m", "gmsh_worker", job_path], stdin=subprocess.DEVNULL, stdout=log,
+                                       stderr=subprocess.STDOUT, cwd=folder, env=env)
+        except OSError as error:
+            raise ToolError(f"cannot start {python}: {error}", FaultCode.TOOL_MISSING) from error
+    try:
+        return _watch(process, os.path.join(folder, "progress.txt"), limit, timeout, progress)
+    finally:
+        if process.poll() is None:
+            process.kill()
+        process.wait()
+
+
+def _watch(process, progress_path, limit, timeout, progress):
+    """Wait, passing progress on, until the monotonic clock shows `limit`; raises ToolError TOOL_TIMEOUT."""
+    while True:
+        if time.monotonic() > limit:
+            raise ToolError(f"gmsh did not finish within {timeout:g} seconds", FaultCode.TOOL_TIMEOUT)
+        try:
+            return process.wait(POLL)
+        except subprocess.TimeoutExpired:
+            pass
+        if progress is not None:
+            _pass_on(progress_path, progress)
+
+
+def _pass_on(path, progress):
+    """Call progress with the newest line; without news too, so that it can cancel."""
+    try:
+        with open(path, encoding="utf-8") as stream:
+            lines = stream.read().splitlines()
+    except OSError:
+        lines = []
+    stage, fraction = lines[-1].split() if lines and len(lines[-1].split()) == 2 else ("start", "0")
+    progress(stage, float(fraction))
+
+
+def _result(folder, code):
+    fault = os.path.join(folder, "fault.json")
+    if os.path.exists(fault):
+        with open(fault, encoding="utf-8") as stream:
+            found = json.load(stream)
+        raise ToolError(found["message"], FaultCode[found["code"]], found["elements"])
+    result = os.path.join(folder, "result.npz")
+    if code != 0 or not os.path.exists(result):
+        raise ToolError(f"gmsh {_how_it_ended(code)}: {_last_words(folder)}", FaultCode.TOOL_FAILED)
+    with np.load(result) as arrays:
+        return dict(arrays)
+
+
+def _how_it_ended(code):
+    return f"was ended by signal {-code}" if code < 0 else f"failed with status {code}"
+
+
+def _last_words(folder, most=12):
+    """gmsh's error lines, or the end of its log."""
+    with open(os.path.join(folder, "log.txt"), encoding="utf-8", errors="replace") as stream:
+        lines = [line.rstrip() for line in stream if line.strip()]
+    errors = [line for line in lines if line.startswith("Error")] or lines
+    return "\n".join(errors[-most:]) or "it said nothing"

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Entry point of the subprocess: reads the job, writes result.npz or fault.json beside it."""
+import json
+import os
+import signal
+import sys
+
+import numpy as np
+
+import gmsh
+
+from . import cad
+from .fault import WorkerFault
+from .link import Link
+from .nearness import distances
+from .sweep import sweep_surface
+from .whole import whole_surface
+
+MOST_QUADS = 5e6    # more is a slip of the keyboard, and would fill the memory
+
+
+def main(job_path):
+    with open(job_path, encoding="utf-8") as stream:
+        job = json.load(stream)
+    folder = os.path.dirname(job_path)
+    if hasattr(signal, "alarm"):
+        signal.alarm(int(job["timeout"]) + 30)      # should the parent be killed, this process does not stay
+    link = Link(folder, job["avoid"])
+    gmsh.initialize([], False)
+    try:
+        for name, value in (("Terminal", 1), ("NumThreads", 1), ("Verbosity", 4)):
+            gmsh.option.setNumber("General." + name, value)
+        result = _run(job, link)
+    except WorkerFault as fault:
+        with open(os.path.join(folder, "fault.json"), "w", encoding="utf-8") as stream:
+            json.dump({"code": fault.code, "message": str(fault), "elements": fault.elements}, stream)
+        return 0
+    np.savez(os.path.join(folder, "result.npz"), **result)
+    return 0
+
+
+def _run(job, link):
+    """Load, mesh, measure; returns the arrays of result.npz."""
+    link.progress("load", 0.0)
+    solid = cad.load(job["file"])
+    expected = sum(solid.area(f) for f in solid.faces) / job["size"] ** 2
+    if expected > MOST_QUADS:
+        raise WorkerFault("BAD_OPTION", f"size {job['size']:g} would give about {expected:.2g} quads; at most "
+                          f"{MOST_QUADS:.2g} are made")
+    mesh, method, notes = _mesh(solid, job, link)
+    link.progress("check", 0.0)
+    off, gaps = distances(solid, mesh)
+    return {"points": mesh["points"], "quads": mesh["quads"], "faces": mesh["faces"], "off_cad": off,
+            "cad_gap": gaps, "tolerance": solid.tolerance, "method": method,
+            "notes": np.array(notes + mesh["notes"], dtype=str)}
+
+
+def _mesh(solid, job, link):
+    """(mesh, name of the method that made it, notes about the choice)."""
+    method, size = job["method"], job["size"]
+    if method == "sweep":
+        return sweep_surface(solid, size, link), method, []
+    if method != "auto":
+        return whole_surface(solid, size, method, link), method, []
+    notes = []
+    try:
+        return sweep_surface(solid, size, link), "sweep", notes
+    except WorkerFault as fault:
+        if fault.code != "NOT_SWEEPABLE":
+            raise
+        notes.append(f"auto: not swept: {fault}")
+    try:
+        return whole_surface(solid, size, "subdivided", link), "subdivided", notes
+    except WorkerFault as fault:
+        notes.append(f"auto: not subdivided: {fault}")
+    return whole_surface(solid, size, "subdivided-triangles", link), "subdivided-triangles", notes
+
+
+sys.exit(main(sys.argv[1]))

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Choose the best all-quad mesh of a cap outline among the templates and the unstructured roads."""
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import paved
+from .fault import WorkerFault
+from .plane_mesh import image
+from .smooth import optimise, scaled_jacobian
+from .templates import TEMPLATES
+
+GOOD = 0.75        # a template this good, as a share of what the corners allow, is taken at once
+BONUS = 0.05       # what regular structure is worth, in scaled Jacobian
+ENOUGH = 0.7       # an unstructured mesh this good ends the search on a large cap
+LARGE = 3000       # quads
+
+
+@dataclass
+class CapMesh:
+    """One plane mesh on both caps.
+
+    points  (m,2) on the lower cap, the boundary first, loop after loop
+    top     (m,2) the same points on the upper cap, in its own plane
+    quads   (n,4) counter-clockwise
+    counts  intervals per loop and edge
+    """
+    name: str
+    counts: list
+    points: np.ndarray
+    top: np.ndarray
+    quads: np.ndarray
+
+    def quality(self):
+        """(minimum, mean) scaled Jacobian in the planes of both caps."""
+        sj = [scaled_jacobian(p, self.quads) for p in (self.points, self.top)]
+        return float(np.min(sj)), float(np.mean(sj))
+
+    def score(self):
+        low, mean = self.quality()
+        return 0.65 * low + 0.35 * mean + BONUS * (self.name in TEMPLATES)
+
+
+def mesh_cap(outline, link, label):
+    """The best CapMesh of an Outline. link: a Link; label: what to call the cap there.
+
+    Raises WorkerFault NOT_SWEEPABLE if every road ends in an inverted quad.
+    """
+    tried = []
+    for name, (plan, build) in TEMPLATES.items():
+        counts = plan(outline)
+        if counts is not None:
+            _try(tried, outline, name, counts, build)
+    link.progress("cap", 0.3)
+    best = max((t.quality()[0] for t in tried), default=0.0)
+    if best < GOOD * outline.limit():
+        _pave(tried, outline, link, label)
+    if not tried:
+        raise WorkerFault("NOT_SWEEPABLE", "the cap could not be meshed with valid quads")
+    return max(tried, key=CapMesh.score)
+
+
+def _pave(tried, outline, link, label):
+    """The unstructured roads: all of the first four on a small cap, more only while the best is poor."""
+    for k, (road, algorithm, scale) in enumerate(paved.VARIANTS):
+        best = max((t.quality()[0] for t in tried), default=0.0)
+        large = any(len(t.quads) > LARGE for t in tried)
+        if best > ENOUGH * outline.limit() and (k >= 4 or large):
+            return
+        if link.risk(f"{label} {road} {algorithm} {scale:g}"):
+            _try_paved(tried, outline, road, algorithm, scale)
+        link.progress("cap", 0.3 + 0.5 * (k + 1) / len(paved.VARIANTS))
+
+
+def _try(tried, outline, name, counts, build):
+    loops = outline.place(counts)
+    made = build(outline, counts, np.concatenate(loops))
+    _keep(tried, outline, name, counts, made)
+
+
+def _try_paved(tried, outline, road, algorithm, scale):
+    plan, build = {"halved": (paved.halved_plan, paved.halved_mesh),
+                   "direct": (paved.direct_plan, paved.direct_mesh)}[road]
+    counts = plan(outline, scale)
+    if any(c is None for c in counts):
+        return
+    loops = outline.place(counts)
+    try:
+        made = build(loops, outline.size / scale, algorithm)
+    except Exception as error:      # gmsh raises plain Exception; another road may do
+        print(f"cap: {road} {algorithm}: {error}")
+        return
+    _keep(tried, outline, f"{road}-{algorithm}-{scale:g}", counts, made)
+
+
+def _keep(tried, outline, name, counts, made):
+    """Smooth a mesh on both caps and keep it if it is valid on both."""
+    if made is None:
+        return
+    points, quads = made
+    outline_top = np.concatenate(outline.place_top(counts))
+    fixed = np.arange(len(points)) < len(outline_top)
+    points = optimise(points, quads, fixed)
+    top = image(points, quads, outline_top)
+    if scaled_jacobian(top, quads).min() < scaled_jacobian(points, quads).min() - 0.02:
+        top = optimise(top, quads, fixed)
+    cap = CapMesh(name, counts, points, top, quads)
+    low, mean = cap.quality()
+    print(f"cap: {name}: {len(quads)} quads, scaled Jacobian {low:.3f} to mean {mean:.3f}")
+    if low > 0.01:
+        tried.append(cap)

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Solid to surface: the caller's side of the gmsh subprocess."""
+import math
+import os
+
+import numpy as np
+
+from hexcon.errors import FaultCode, ToolError
+
+from .gmsh_process import run_job
+from .surface import finished
+
+METHODS = ("auto", "sweep", "subdivided", "subdivided-triangles", "blossom", "transfinite")
+CAD_ENDINGS = (".step", ".stp", ".brep", ".brp")
+
+
+def surface_from_solid(shape_or_file, size, method="auto", *, timeout=120.0, progress=None):
+    """A closed, outward, even QuadSurface on the boundary of one solid.
+
+    shape_or_file  a FreeCAD Part.Shape, or the path of a .step .stp .brep .brp file (plain Python will do), or
+                   of a .FCStd file (needs FreeCAD)
+    size           wanted edge length, in the units of the shape (millimetres)
+    method         one of METHODS
+    timeout        seconds for gmsh
+    progress       callable(stage, fraction in 0..1); an exception from it cancels and comes out here
+
+    Points lie on their CAD faces within 1e-7 * max(1, diagonal / 1000). Where two CAD faces leave a wider gap
+    at their edge, the points lie on the edge and a note says so.
+    Raises ToolError: BAD_OPTION, BAD_SHAPE, FILE_IO, FILE_FORMAT, FREECAD_MISSING, TOOL_MISSING, TOOL_TIMEOUT,
+    TOOL_FAILED, NOT_SWEEPABLE, NOT_TRANSFINITE, NOT_ALL_QUAD, ODD_SURFACE, OFF_CAD.
+    """
+    _check_options(size, method, timeout)
+    source, face_numbers = _source(shape_or_file)
+    found = run_job(source, {"method": method, "size": float(size)}, timeout, progress)
+    notes = [str(n) for n in found["notes"]]
+    _check_distance(found, notes)
+    faces = found["faces"]
+    if face_numbers is not None:
+        faces = np.asarray(face_numbers, np.int64)[faces - 1]
+    return finished(found["points"], found["quads"], faces, str(found["method"]), notes)
+
+
+def _check_options(size, method, timeout):
+    if method not in METHODS:
+        raise ToolError(f"unknown method {method!r}; there are {', '.join(METHODS)}", FaultCode.BAD_OPTION)
+    for name, value in (("size", size), ("timeout", timeout)):
+        try:
+            good = math.isfinite(float(value)) and float(value) > 0.0
+        except (TypeError, ValueError):
+            good = False
+        if not good:
+            raise ToolError(f"{name} must be a finite number above zero, not {value!r}", FaultCode.BAD_OPTION)
+
+
+def _check_distance(found, notes):
+    """Raise OFF_CAD for points off their faces; note the gaps that the CAD itself has."""
+    off, tolerance = found["off_cad"], float(found["tolerance"])
+    bad = np.flatnonzero(~(off <= tolerance))
+    if len(bad):
+        raise ToolError(f"{len(bad)} points are off their CAD faces, by up to {np.nanmax(off):.3g} "
+                        f"(allowed {tolerance:.3g})", FaultCode.OFF_CAD, bad)
+    gap = float(found["cad_gap"].max(initial=0.0))
+    if gap > 0.0:
+        notes.append(f"the CAD's edges are up to {gap:.3g} off its faces; points there lie on the edges")
+
+
+def _source(shape_or_file):
+    """(callable(folder) -> CAD path, face numbers of the caller's shape or None if they are 1, 2, 3, ...)."""
+    if not isinstance(shape_or_file, (str, os.PathLike)):
+        return _from_shape(shape_or_file)
+    path = os.fspath(shape_or_file)
+    if not os.path.isfile(path):
+        raise ToolError(f"there is no file {path}", FaultCode.FILE_IO)
+    ending = os.path.splitext(path)[1].lower()
+    if ending == ".fcstd":
+        from .documents import shape_in_document_file
+        return _from_shape(shape_in_document_file(path))
+    if ending not in CAD_ENDINGS:
+        raise ToolError(f"{ending or 'no ending'}: a solid is read from {', '.join(CAD_ENDINGS)} or .FCStd",
+                        FaultCode.FILE_FORMAT)
+    return (lambda folder: path), None
+
+
+def _from_shape(shape):
+    """The same for a FreeCAD shape: its one solid goes to the subprocess as BREP."""
+    if not hasattr(shape, "exportBrep"):
+        raise ToolError(f"expected a FreeCAD shape or a path, not {type(shape).__name__}", FaultCode.BAD_OPTION)
+    if shape.isNull():
+        raise ToolError("the shape is empty", FaultCode.BAD_SHAPE)
+    solids = shape.Solids
+    if len(solids) != 1:
+        raise ToolError(f"the shape holds {len(solids)} solids; exactly one is needed", FaultCode.BAD_SHAPE)
+    solid = solids[0]
+    if not solid.isValid():
+        raise ToolError("the solid is not valid (Part, Check geometry tells more)", FaultCode.BAD_SHAPE)
+    if not all(shell.isClosed() for shell in solid.Shells):
+        raise ToolError("the solid is not closed", FaultCode.BAD_SHAPE)
+
+    def write(folder):
+        path = os.path.join(folder, "solid.brep")
+        solid.exportBrep(path)
+        return path
+    return write, _face_numbers(shape, solid)
+
+
+def _face_numbers(shape, solid):
+    """Numbers of the solid's faces in the shape; None where they are the same."""
+    if len(shape.Faces) == len(solid.Faces):
+        return None
+    by_hash = {}
+    for number, face in enumerate(shape.Faces, 1):
+        by_hash.setdefault(face.hashCode(), []).append((number, face))
+    return [next(number for number, face in by_hash[f.hashCode()] if face.isSame(f)) for f in solid.Faces]

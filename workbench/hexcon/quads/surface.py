@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A closed quad surface, and the checks every road to one must pass. Plain numpy."""
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from hexcon.errors import FaultCode, ToolError
+
+
+@dataclass
+class QuadSurface:
+    """A closed surface of quads.
+
+    points        (V,3) float64, every one used by a quad
+    quads         (n,4) int64, 0-based, counter-clockwise seen from outside
+    face_of_quad  (n,) int64: 1-based number of the CAD face (Face3 -> 3), 0 where there is no CAD
+    method        the method that made it: "sweep", "subdivided", ..., or "given"
+    notes         what the user should know: other sizes tried, why `auto` did not sweep, ...
+    """
+    points: np.ndarray
+    quads: np.ndarray
+    face_of_quad: np.ndarray
+    method: str
+    notes: list = field(default_factory=list)
+
+
+def edges_of(quads):
+    """(4n,2) directed edges, edge k of quad q in row 4 q + k."""
+    return np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2)
+
+
+def edge_partners(quads):
+    """(4n,) row of edges_of that holds the same edge of the other quad.
+
+    Raises ToolError BAD_SHAPE, with the quads at fault, where an edge is not in exactly two quads.
+    """
+    edges = np.sort(edges_of(quads), axis=1)
+    keys = edges[:, 0] * (int(quads.max()) + 1) + edges[:, 1]
+    order = np.argsort(keys, kind="stable")
+    ranked = keys[order]
+    pairs = len(ranked) % 2 == 0 and (ranked[::2] == ranked[1::2]).all() and (ranked[2::2] != ranked[:-2:2]).all()
+    if not pairs:
+        _, inverse, counts = np.unique(keys, return_inverse=True, return_counts=True)
+        bad = np.unique(np.flatnonzero(counts[inverse] != 2) // 4)
+        raise ToolError(f"the surface is not closed: {int((counts != 2).sum())} edges are not in exactly two quads",
+                        FaultCode.BAD_SHAPE, bad)
+    partner = np.empty(len(keys), np.int64)
+    partner[order[::2]], partner[order[1::2]] = order[1::2], order[::2]
+    return partner
+
+
+def orient(points, quads):
+    """Quads (n,4) turned consistently, each component with its normals out of its own volume.
+
+    Returns (quads, number of components). Raises ToolError BAD_SHAPE if not closed or not orientable.
+    Cost: linear, in numpy passes that grow with the breadth of the surface.
+    """
+    partner = edge_partners(quads)
+    edges = edges_of(quads)
+    against = edges[:, 0] == edges[partner, 0]          # both run the same way: one must turn
+    turn = np.full(len(quads), -1, np.int8)
+    component = np.empty(len(quads), np.int64)
+    components = 0
+    while (turn < 0).any():
+        _flood(int(np.argmax(turn < 0)), partner, against, turn, component, components)
+        components += 1
+    wrong = (turn[np.arange(len(edges)) // 4] ^ turn[partner // 4]) != against
+    if wrong.any():
+        raise ToolError("the surface cannot be oriented", FaultCode.BAD_SHAPE, np.unique(np.flatnonzero(wrong) // 4))
+    quads = np.where(turn[:, None] == 1, quads[:, ::-1], quads)
+    volume = np.bincount(component, _volumes(points, quads), minlength=components)
+    return np.where(volume[component][:, None] < 0, quads[:, ::-1], quads), components
+
+
+def _flood(seed, partner, against, turn, component, number):
+    """Spread the sense of one quad over its component, ring by ring."""
+    turn[seed] = 0
+    component[seed] = number
+    ring = np.array([seed])
+    while len(ring):
+        rows = (ring[:, None] * 4 + np.arange(4)).ravel()
+        other = partner[rows] // 4
+        fresh = turn[other] < 0
+        other, rows = other[fresh], rows[fresh]
+        turn[other] = turn[rows // 4] ^ against[rows]
+        component[other] = number
+        ring = np.unique(other)
+
+
+def _volumes(points, quads):
+    """(n,) signed volume of the pyramid from the middle over each quad (mean of its two triangulations)."""
+    p = points[quads] - points.mean(axis=0)
+    half = np.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 1]) / 2.0
+    return (half * p.mean(axis=1)).sum(axis=1) / 3.0
+
+
+def finished(points, quads, faces, method, notes):
+    """A checked QuadSurface: unused points dropped, closed, outward.
+
+    points (V,3), quads (n,4), faces (n,) or None. Raises ToolError BAD_SHAPE (not closed, not orientable,
+    a repeated vertex, NaN, several components) or ODD_SURFACE.
+    """
+    points, quads = np.asarray(points, np.float64), np.asarray(quads, np.int64)
+    if not len(quads):
+        raise ToolError("there are no quads", FaultCode.BAD_SHAPE)
+    if not np.isfinite(points).all():
+        raise ToolError("a point is not finite", FaultCode.BAD_SHAPE, np.flatnonzero(~np.isfinite(points).all(axis=1)))
+    ranked = np.sort(quads, axis=1)
+    repeated = (ranked[:, 1:] == ranked[:, :-1]).any(axis=1)
+    if repeated.any():
+        raise ToolError("a quad names one point twice", FaultCode.BAD_SHAPE, np.flatnonzero(repeated))
+    used, packed = np.unique(quads, return_inverse=True)
+    points, quads = points[used], packed.reshape(-1, 4).astype(np.int64)
+    quads, components = orient(points, quads)
+    if components > 1:
+        raise ToolError(f"the surface has {components} separate parts (a cavity, or several bodies); one is needed",
+                        FaultCode.BAD_SHAPE)
+    if len(quads) % 2:
+        raise ToolError(f"the number of quads is odd ({len(quads)}): no hexahedral mesh has such a boundary",
+                        FaultCode.ODD_SURFACE)
+    faces = np.zeros(len(quads), np.int64) if faces is None else np.asarray(faces, np.int64)
+    return QuadSurface(points, np.ascontiguousarray(quads), faces, method, list(notes))
