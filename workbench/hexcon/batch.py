@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Hex meshes for a folder of parts: one line a part, a summary, and no failure stops the rest."""
+import argparse
+import os
+import sys
+import time
+import traceback
+
+from .cli.commands import SOLID_ENDINGS
+from .errors import HexconError
+from .files import WRITERS, write
+from .meshing import mesh_solid
+from .quads import METHODS as SURFACE_METHODS
+
+EXIT_DONE, EXIT_SOME_FAILED, EXIT_USAGE = 0, 1, 2
+
+
+def parts_in(folder):
+    """Paths of the solids in a folder, sorted by name."""
+    names = sorted(n for n in os.listdir(folder)
+                   if os.path.splitext(n)[1].lower() in SOLID_ENDINGS)
+    return [os.path.join(folder, n) for n in names]
+
+
+def mesh_part(path, out, size, endings, **options):
+    """Mesh one part and write it; returns (done, the line that tells of it).
+
+    Any exception but an interrupt becomes a line: a batch goes on.
+    """
+    name = os.path.basename(path)
+    started = time.monotonic()
+    try:
+        mesh = mesh_solid(path, size, **options)
+        for ending in endings:
+            write(mesh, os.path.join(out, os.path.splitext(name)[0] + ending))
+    except HexconError as fault:
+        return False, f"FAILED {name}: {fault} [{fault.code.name}]"
+    except Exception as fault:  # a defect of ours must not cost the other parts
+        traceback.print_exc()
+        return False, f"FAILED {name}: {type(fault).__name__}: {fault}"
+    return True, (f"ok     {name}: {len(mesh.hexes)} hexes, {mesh.surface.method} surface, scaled "
+                  f"Jacobian min {mesh.quality.min:.3f} mean {mesh.quality.mean:.3f}, certified, "
+                  f"{time.monotonic() - started:.1f} s")
+
+
+def mesh_folder(folder, out, size, endings=(".inp",), tell=print, **options):
+    """Mesh every solid in a folder into another; returns (number done, number failed).
+
+    endings  formats to write, of files.WRITERS
+    tell     called with each line
+    options  as meshing.mesh_solid
+    """
+    os.makedirs(out, exist_ok=True)
+    done = failed = 0
+    for path in parts_in(folder):
+        good, line = mesh_part(path, out, size, endings, **options)
+        done, failed = done + good, failed + (not good)
+        tell(line)
+    tell(f"{done} done, {failed} failed of {done + failed} parts in {folder}; results in {out}")
+    return done, failed
+
+
+def _parser():
+    parser = argparse.ArgumentParser(
+        prog="mesh_folder", description="Hex meshes for every solid in a folder.",
+        epilog="exit status: 0 all done; 1 a part failed, or there was none; 2 wrong usage")
+    parser.add_argument("folder")
+    parser.add_argument("--out", help="where results go (default: FOLDER/hexcon)")
+    parser.add_argument("--size", type=float, required=True, help="wanted edge length, mm")
+    parser.add_argument("--write", action="append", choices=sorted(
+        ".FCStd" if e == ".fcstd" else e for e in WRITERS),
+        help="a format; may be given several times (default .inp)")
+    parser.add_argument("--order", type=int, choices=(1, 2), default=1)
+    parser.add_argument("--surface-method", choices=SURFACE_METHODS, default="auto")
+    return parser
+
+
+def main(arguments=None):
+    """The batch as a program; returns the exit status."""
+    options = _parser().parse_args(arguments)
+    if not os.path.isdir(options.folder):
+        print(f"mesh_folder: there is no folder {options.folder}", file=sys.stderr)
+        return EXIT_USAGE
+    done, failed = mesh_folder(
+        options.folder, options.out or os.path.join(options.folder, "hexcon"), options.size,
+        tuple(options.write or (".inp",)), lambda line: print(line, flush=True),
+        order=options.order, surface_method=options.surface_method)
+    return EXIT_DONE if done and not failed else EXIT_SOME_FAILED
