@@ -27,7 +27,7 @@ METHODS = {"auto": 0, "swept": 1}
 __all__ = [
     "Certificate", "ErrorCode", "HexconError", "Loops", "METHODS", "Mesh", "Quality",
     "SurfaceReport", "certify", "check_surface", "colouring", "loops", "mesh", "optimize",
-    "quality",
+    "quality", "raise_order",
 ]
 
 
@@ -369,3 +369,14 @@ def optimize(points, hexes, fixed=None, *, rounds=0, iterations=0, target=1.0, p
     mask = _fixed_mask(fixed, hexes, len(points))
     return _array(_core.optimize(points, hexes, mask, rounds, iterations, float(target), progress),
                   np.float64, 3)
+
+
+def raise_order(points, hexes):
+    """Put a point in the middle of every edge of a mesh of order 1.
+
+    points, hexes  as quality, hexes (H, 8)
+    Returns (points (P + E, 3), hexes (H, 20) int32): the given rows bit for bit, then the middles;
+    VTK_QUADRATIC_HEXAHEDRON order. Raises as quality, OUT_OF_MEMORY. Linear.
+    """
+    raised, corners_and_middles = _core.raise_order(_points(points), _ids(hexes, 8, "hexes"))
+    return _array(raised, np.float64, 3), _array(corners_and_middles, np.int32, 20)

@@ -201,6 +201,23 @@ hexcon_status hexcon_optimize(hexcon_context *context, const double *points, siz
 
 /* -------------------------------------------------------------------------------------- solve */
 
+/** A mesh of order 2: straight edges, each with a point in its middle. */
+typedef struct hexcon_second_order {
+  size_t point_count;
+  double *points; /**< [point_count][3] the given points, then the middles */
+  int32_t *hexes; /**< [hex_count][20] VTK_QUADRATIC_HEXAHEDRON order */
+} hexcon_second_order;
+
+/**
+ * Put a point in the middle of every edge. Linear.
+ * @param out  filled; free with hexcon_second_order_free
+ * Errors: as hexcon_quality, OUT_OF_MEMORY.
+ */
+hexcon_status hexcon_raise_order(hexcon_context *context, const double *points,
+                                 size_t point_count, const int32_t *hexes, size_t hex_count,
+                                 hexcon_second_order *out);
+void hexcon_second_order_free(hexcon_context *context, hexcon_second_order *raised);
+
 typedef enum hexcon_method {
   HEXCON_METHOD_AUTO = 0, /**< the best of those below; today: swept */
   HEXCON_METHOD_SWEPT

@@ -202,6 +202,38 @@ static PyObject *optimize(PyObject *module, PyObject *arguments) {
   return positions;
 }
 
+static PyObject *second_order_as_tuple(const hexcon_second_order *raised, size_t hex_count) {
+  return Py_BuildValue("NN", buffer_copy(raised->points, 3 * raised->point_count, sizeof(double)),
+                       buffer_copy(raised->hexes, 20 * hex_count, sizeof(int32_t)));
+}
+
+static PyObject *raise_order(PyObject *module, PyObject *arguments) {
+  (void)module;
+  Py_buffer points, hexes;
+  if (!PyArg_ParseTuple(arguments, "y*y*", &points, &hexes))
+    return NULL;
+  run r;
+  PyObject *result = NULL;
+  if (run_begin(&r, Py_None)) {
+    hexcon_second_order raised;
+    size_t hex_count = buffer_rows(&hexes, 8, sizeof(int32_t));
+    run_release(&r);
+    hexcon_status status =
+        hexcon_raise_order(r.context, points.buf, buffer_rows(&points, 3, sizeof(double)),
+                           hexes.buf, hex_count, &raised);
+    run_acquire(&r);
+    if (!status) {
+      result = second_order_as_tuple(&raised, hex_count);
+      hexcon_second_order_free(r.context, &raised);
+    }
+    if (!run_end(&r, status))
+      Py_CLEAR(result);
+  }
+  PyBuffer_Release(&points);
+  PyBuffer_Release(&hexes);
+  return result;
+}
+
 static PyObject *figures_as_dict(const hexcon_mesh *mesh) {
   const hexcon_figure *figures;
   size_t count = hexcon_mesh_report(mesh, &figures);
@@ -266,6 +298,7 @@ static PyMethodDef methods[] = {
     {"certify", certify, METH_VARARGS, "certify(points, hexes, quads, progress) -> dict"},
     {"optimize", optimize, METH_VARARGS,
      "optimize(points, hexes, fixed, rounds, iterations, target, progress) -> bytearray"},
+    {"raise_order", raise_order, METH_VARARGS, "raise_order(points, hexes) -> (points, hexes)"},
     {"mesh", mesh, METH_VARARGS,
      "mesh(points, quads, method, order, allow_uncertified, progress) -> dict"},
     {NULL, NULL, 0, NULL}};

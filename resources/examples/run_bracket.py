@@ -5,7 +5,6 @@ Meshes resources/examples/bracket.step, holds the underside of its long leg, pul
 short one, solves in CalculiX, and leaves .FCStd, .inp, .vtu and .png in output/. Copy it and
 change `PART`, `SIZE`, `ORDER` and `loads()` for a part of your own.
 """
-import contextlib
 import os
 import sys
 import time
@@ -36,24 +35,11 @@ def loads(shape):
             "force": {face_at(shape, 2, 70.0): (1500.0, 0.0, 0.0)}}
 
 
-@contextlib.contextmanager
-def chatter_in(path):
-    """Send what FreeCAD and its libraries print to a file; it is many lines and no news."""
-    sys.stdout.flush()
-    kept = os.dup(1)
-    with open(path, "wb") as log:
-        os.dup2(log.fileno(), 1)
-    try:
-        yield
-    finally:
-        sys.stdout.flush()
-        os.dup2(kept, 1)
-        os.close(kept)
-
-
 def main():
+    from hexcon.chatter import chatter_to
+
     os.makedirs(OUTPUT, exist_ok=True)
-    with chatter_in(os.path.join(OUTPUT, "freecad.log")):
+    with chatter_to(os.path.join(OUTPUT, "freecad.log")):
         facts = mesh_and_solve()
     report(*facts)
 

@@ -6,6 +6,7 @@ import sys
 import time
 import traceback
 
+from .chatter import chatter_to
 from .cli.commands import SOLID_ENDINGS
 from .errors import HexconError
 from .files import WRITERS, write
@@ -30,9 +31,10 @@ def mesh_part(path, out, size, endings, **options):
     name = os.path.basename(path)
     started = time.monotonic()
     try:
-        mesh = mesh_solid(path, size, **options)
-        for ending in endings:
-            write(mesh, os.path.join(out, os.path.splitext(name)[0] + ending))
+        with chatter_to():
+            mesh = mesh_solid(path, size, **options)
+            for ending in endings:
+                write(mesh, os.path.join(out, os.path.splitext(name)[0] + ending))
     except HexconError as fault:
         return False, f"FAILED {name}: {fault} [{fault.code.name}]"
     except Exception as fault:  # a defect of ours must not cost the other parts

@@ -2,10 +2,9 @@
 #include "mesh_result.h"
 
 #include <stdio.h>
-#include <string.h>
 #include <time.h>
 
-#include "construct/second_order.h"
+#include "raise_order.h"
 
 void mesh_note(hexcon_mesh *mesh, const char *name, double value) {
   if (mesh->figure_count == MAX_FIGURES)
@@ -27,45 +26,18 @@ void mesh_note_seconds(hexcon_mesh *mesh, const char *stage, double start) {
   mesh_note(mesh, name, mesh_clock() - start);
 }
 
-/** Points with the edges' midpoints after them. */
-static double *append_midpoints(hexcon_context *context, const hexcon_mesh *mesh,
-                                const edge_table *edges) {
-  double *points =
-      context_allocate(context, 3 * (mesh->point_count + edges->count), sizeof *points);
-  if (!points)
-    return NULL;
-  memcpy(points, mesh->points, 3 * mesh->point_count * sizeof *points);
-  for (size_t e = 0; e < edges->count; e++) {
-    const double *a = mesh->points + 3 * (size_t)edges->ends[e][0];
-    const double *b = mesh->points + 3 * (size_t)edges->ends[e][1];
-    for (size_t i = 0; i < 3; i++)
-      points[3 * (mesh->point_count + e) + i] = a[i] + (b[i] - a[i]) / 2;
-  }
-  return points;
-}
-
 hexcon_status mesh_raise_order(hexcon_context *context, hexcon_mesh *mesh) {
-  edge_table edges;
-  hexcon_status status = edge_table_build(context, mesh->hexes, mesh->hex_count, &edges);
-  int32_t *hexes = status ? NULL : context_allocate(context, 20 * mesh->hex_count, sizeof *hexes);
-  double *points = hexes ? append_midpoints(context, mesh, &edges) : NULL;
-  if (!points) {
-    context_free(context, hexes);
-    edge_table_free(context, &edges);
-    return status ? status : HEXCON_OUT_OF_MEMORY;
-  }
-  for (size_t h = 0; h < mesh->hex_count; h++) {
-    memcpy(hexes + 20 * h, mesh->hexes + 8 * h, 8 * sizeof *hexes);
-    for (size_t e = 0; e < 12; e++)
-      hexes[20 * h + 8 + e] = (int32_t)mesh->point_count + edges.of_hex[12 * h + e];
-  }
+  hexcon_second_order raised;
+  hexcon_status status = raise_order(context, mesh->points, mesh->point_count, mesh->hexes,
+                                     mesh->hex_count, &raised);
+  if (status)
+    return status;
   context_free(context, mesh->points);
   context_free(context, mesh->hexes);
-  mesh->points = points;
-  mesh->hexes = hexes;
-  mesh->point_count += edges.count;
+  mesh->points = raised.points;
+  mesh->hexes = raised.hexes;
+  mesh->point_count = raised.point_count;
   mesh->order = 2;
-  edge_table_free(context, &edges);
   return HEXCON_OK;
 }
 

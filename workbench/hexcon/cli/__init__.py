@@ -9,6 +9,7 @@ import sys
 
 from hexcon_native.errors import HexconError
 
+from . import in_freecad
 from .arguments import parse
 
 EXIT_DONE, EXIT_FAULT, EXIT_NOT_CERTIFIED, EXIT_INTERRUPTED = 0, 1, 3, 130
@@ -18,7 +19,13 @@ __all__ = ["main"]
 
 def main(arguments=None):
     """Run one command; returns the exit status."""
+    arguments = sys.argv[1:] if arguments is None else arguments
     options = parse(arguments)
+    paths = [options.input, *(getattr(options, "output", None) or [])]
+    if in_freecad.needs_freecad(paths) and not in_freecad.can_import_freecad():
+        status = in_freecad.rerun(arguments)
+        if status is not None:
+            return status
     try:
         facts, lines = options.run(options)
     except HexconError as fault:

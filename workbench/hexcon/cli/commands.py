@@ -106,18 +106,24 @@ def check(options):
 def _match_surface(points, surface):
     """The surface's quads in the mesh's numbering: files number points as they like.
 
-    Points are the same where they agree to what text files keep, 1e-9 of the extent.
+    Points are the same where they agree to 1e-9 of the extent, which text files keep.
     """
-    scale = max(float(np.ptp(points, axis=0).max(initial=0.0)), 1e-300) * 1e-9
-    keys = {tuple(row): i for i, row in
-            enumerate(np.round((points - points[0]) / scale / 10).astype(np.int64).tolist())}
-    ids = np.empty(len(surface.points), np.int64)
-    for i, row in enumerate(
-            np.round((surface.points - points[0]) / scale / 10).astype(np.int64).tolist()):
-        if tuple(row) not in keys:
-            raise ToolError(f"point {i} of the surface is no point of the mesh",
-                            FaultCode.FILE_FORMAT, [i])
-        ids[i] = keys[tuple(row)]
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
+    held = vtkPoints()
+    held.SetData(numpy_to_vtk(np.ascontiguousarray(points)))
+    data = vtkPolyData()
+    data.SetPoints(held)
+    locator = vtkStaticPointLocator()
+    locator.SetDataSet(data)
+    locator.BuildLocator()
+    ids = np.array([locator.FindClosestPoint(point) for point in surface.points.tolist()])
+    far = np.linalg.norm(points[ids] - surface.points, axis=1)
+    strangers = np.flatnonzero(far > 1e-9 * np.linalg.norm(np.ptp(points, axis=0)))
+    if len(strangers):
+        raise ToolError(f"{len(strangers)} points of the surface (listed) are no points of the "
+                        "mesh", FaultCode.FILE_FORMAT, strangers)
     return ids[surface.quads]
 
 

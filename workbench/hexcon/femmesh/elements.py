@@ -4,11 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+import hexcon_native
 from hexcon.errors import FaultCode, ToolError
 
 from .boundary import boundary_quads, owners
 from .hexahedron import FACES_8
-from .second_order import lower_order, raise_order
+from .second_order import lower_order
 
 
 @dataclass
@@ -107,7 +108,8 @@ def elements_of(mesh, order=None):
         hex_ids, sides = owners(hexes, given, len(points))
     faces = _face_numbers(mesh, len(hex_ids))
     if order == 2 and hexes.shape[1] == 8:
-        points, hexes = raise_order(points, hexes)
+        points, hexes = hexcon_native.raise_order(points, hexes)
+        hexes = hexes.astype(np.int64)
     elif order == 1 and hexes.shape[1] == 20:
         points, hexes, _ = lower_order(points, hexes)
     corners = FACES_8 if hexes.shape[1] == 20 else FACES_8[:, :4]

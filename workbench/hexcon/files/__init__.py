@@ -38,7 +38,8 @@ def write(mesh, path, *, order=None, **options):
 
     mesh     .points, .hexes, .quads, .face_of_quad (see femmesh.elements.elements_of)
     order    1, 2 or None for the mesh's own
-    options  .vtu and .vtk: point_data, cell_data (dicts of arrays); .FCStd: solid (a shape)
+    options  .vtu and .vtk: point_data, cell_data (dicts of arrays); .FCStd: solid, a shape or a
+             path; the default is mesh.solid, where mesh_solid has put it
     The file is written beside its place and then put there: never a partial file.
     Raises ToolError: FILE_FORMAT (ending), FILE_IO (no permission, disk full, no folder),
     FREECAD_MISSING, BAD_MESH, BAD_OPTION.
@@ -49,6 +50,8 @@ def write(mesh, path, *, order=None, **options):
     if unknown:
         raise ToolError(f"{', '.join(sorted(unknown))} cannot be put into {path}",
                         FaultCode.BAD_OPTION)
+    if writer is freecad.write_fcstd:
+        options.setdefault("solid", getattr(mesh, "solid", None))
     elements = elements_of(mesh, order)
     replace_file(path, lambda beside: writer(beside, elements, **options))
 

@@ -6,8 +6,18 @@ from hexcon import freecad_compat
 from hexcon.errors import FaultCode, ToolError
 
 
+def _shape(solid):
+    """A Part shape of a shape, or of the path of a file that holds one solid."""
+    if not isinstance(solid, (str, os.PathLike)):
+        return solid
+    if os.fspath(solid).lower().endswith(".fcstd"):
+        from hexcon.quads.documents import shape_in_document_file
+        return shape_in_document_file(os.fspath(solid))
+    return freecad_compat.freecad_module("Part").read(os.fspath(solid))
+
+
 def write_fcstd(path, elements, solid=None, name="HexMesh"):
-    """A document with the mesh object and, where given, its solid (Part shape)."""
+    """A document with the mesh object and, where given, its solid (a Part shape, or a path)."""
     from hexcon.femmesh.convert import femmesh_of_elements
     from hexcon.femmesh.document import insert
     app = freecad_compat.freecad()
@@ -18,7 +28,7 @@ def write_fcstd(path, elements, solid=None, name="HexMesh"):
         solid_object = None
         if solid is not None:
             solid_object = doc.addObject("Part::Feature", "Solid")
-            solid_object.Shape = solid
+            solid_object.Shape = _shape(solid)
         insert(doc, femmesh, solid_object, name)
         doc.recompute()
         doc.saveCopy(path)

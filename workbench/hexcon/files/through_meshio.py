@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reading through the meshio package, whose node order is VTK's."""
+"""The meshio package, whose node order is VTK's."""
 import re
 
 import numpy as np
@@ -10,12 +10,18 @@ _SOLIDS = {"tetra", "tetra10", "pyramid", "pyramid13", "wedge", "wedge15", "wedg
            "hexahedron24", "hexahedron27", "polyhedron"}
 
 
-def _load(path):
+def import_meshio(path):
+    """The meshio package. Raises ToolError(TOOL_MISSING)."""
     try:
         import meshio
     except ImportError as error:
-        raise ToolError(f"reading {path} needs the Python package meshio "
-                        "(pip install meshio)", FaultCode.TOOL_MISSING) from error
+        raise ToolError(f"{path} needs the Python package meshio (Debian: apt install "
+                        "python3-meshio)", FaultCode.TOOL_MISSING) from error
+    return meshio
+
+
+def _load(path):
+    meshio = import_meshio(path)
     try:
         return meshio.read(path)
     except OSError:

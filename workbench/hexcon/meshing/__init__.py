@@ -45,8 +45,8 @@ def mesh_solid(shape_or_file, size, *, surface_method="auto", method="auto", tim
     timeout         seconds for gmsh
     progress        callable (stage, fraction); returning False or raising cancels
     options         order, threads, allow_uncertified: as hexcon_native.mesh
-    Returns a Mesh with two attributes more: .surface (quads.QuadSurface) and .face_of_quad
-    ((n,) int64, 1-based CAD face of each boundary quad).
+    Returns a Mesh with more attributes: .surface (quads.QuadSurface), .face_of_quad ((n,) int64,
+    1-based CAD face of each boundary quad) and .solid (shape_or_file).
     Raises HexconError: those of quads.surface_from_solid and hexcon_native.mesh.
     """
     started = time.monotonic()
@@ -54,6 +54,7 @@ def mesh_solid(shape_or_file, size, *, surface_method="auto", method="auto", tim
                                  progress=_raising(progress))
     seconds = time.monotonic() - started
     mesh = mesh_given_surface(surface, method, progress=progress, **options)
+    mesh.solid = shape_or_file
     mesh.report["seconds surface"] = seconds
     return mesh
 

@@ -9,10 +9,9 @@ import tempfile
 
 import numpy as np
 
+import hexcon_native
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.elements import elements_of
-from hexcon.femmesh.scaled_jacobian import scaled_jacobian
-from hexcon.femmesh.second_order import raise_order
 from hexcon.files import replace_file
 
 _SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "scene.py")
@@ -48,13 +47,13 @@ def render(mesh, path, *, displacements=None, warp=None, cut="auto", title=None,
 def _job(elements, displacements, warp, cut, title, size):
     """Plain arrays for scene.py; edges are drawn straight, from corner to corner."""
     points, hexes = elements.points, elements.hexes[:, :8]
-    quality = scaled_jacobian(points, hexes)
+    quality = hexcon_native.quality(points, hexes).scaled_jacobian
     job = {"points": points, "hexes": hexes, "quality": quality, "title": title or ""}
     if displacements is not None:
         displacements = np.asarray(displacements, float)
         if elements.order == 1 and len(displacements) > len(points):
             # of the same mesh at second order: its middle nodes follow the points
-            if len(displacements) == len(raise_order(points, hexes)[0]):
+            if len(displacements) == len(hexcon_native.raise_order(points, hexes)[0]):
                 displacements = displacements[:len(points)]
         if displacements.shape != points.shape or not np.isfinite(displacements).all():
             raise ToolError(f"displacements have shape {displacements.shape}; finite numbers "

@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What FreeCAD and its libraries print: many lines and no news."""
+import contextlib
+import os
+import sys
+
+
+@contextlib.contextmanager
+def chatter_to(path=os.devnull):
+    """Send standard output, of C++ libraries too, to a file (appended) while inside."""
+    sys.stdout.flush()
+    kept = os.dup(1)
+    with open(path, "ab") as log:
+        os.dup2(log.fileno(), 1)
+    try:
+        yield
+    finally:
+        sys.stdout.flush()
+        os.dup2(kept, 1)
+        os.close(kept)
