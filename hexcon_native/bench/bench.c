@@ -1,3 +1,237 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/**
+ * Time and memory of every stage on swept surfaces of 10^4, 10^5 and 10^6 hexes, numbered at
+ * random, and the exponent by which each stage grows. Prints a table.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <time.h>
+
+#include "hexcon.h"
+
+enum { SIZES = 3, STAGES = 16 };
+
+typedef struct surface_arrays {
+  size_t point_count, quad_count;
+  double *points;
+  int32_t *quads;
+} surface_arrays;
+
+typedef struct table {
+  size_t hexes[SIZES];
+  double memory[SIZES];
+  size_t stage_count;
+  char names[STAGES][48];
+  double seconds[STAGES][SIZES];
+} table;
+
+static double now(void) {
+  struct timespec t;
+  (void)timespec_get(&t, TIME_UTC);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void note(table *t, int size, const char *name, double seconds) {
+  size_t stage = 0;
+  while (stage < t->stage_count && strcmp(t->names[stage], name) != 0)
+    stage++;
+  if (stage == STAGES)
+    return;
+  if (stage == t->stage_count)
+    (void)snprintf(t->names[t->stage_count++], sizeof t->names[0], "%s", name);
+  t->seconds[stage][size] += seconds;
+}
+
+static void stop(const char *what) {
+  (void)fprintf(stderr, "bench: %s\n", what);
+  exit(1);
+}
+
+static void *allocate(size_t count, size_t size) {
+  void *memory = calloc(count, size);
+  if (!memory)
+    stop("out of memory");
+  return memory;
+}
+
+/** Id of a lattice point, given out at first use. */
+static int32_t point_id(int32_t *ids, surface_arrays *s, size_t n, const size_t at[3]) {
+  int32_t *id = &ids[(at[0] * (n + 1) + at[1]) * (n + 1) + at[2]];
+  if (*id < 0) {
+    *id = (int32_t)s->point_count++;
+    for (int i = 0; i < 3; i++)
+      s->points[3 * (size_t)*id + (size_t)i] = (double)at[i] / (double)n;
+  }
+  return *id;
+}
+
+/** The six sides of a cube of n^3 cells. */
+static surface_arrays cube_surface(size_t n) {
+  surface_arrays s = {0, 0, allocate(18 * (n + 1) * (n + 1), sizeof(double)),
+                      allocate(24 * n * n, sizeof(int32_t))};
+  size_t lattice = (n + 1) * (n + 1) * (n + 1);
+  int32_t *ids = allocate(lattice, sizeof *ids);
+  memset(ids, -1, lattice * sizeof *ids);
+  static const size_t corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (size_t axis = 0; axis < 3; axis++)
+    for (size_t side = 0; side < 2; side++)
+      for (size_t cell = 0; cell < n * n; cell++) {
+        for (size_t c = 0; c < 4; c++) {
+          const size_t *corner = corners[side ? c : 3 - c];
+          size_t at[3];
+          at[axis] = side * n;
+          at[(axis + 1) % 3] = cell / n + corner[0];
+          at[(axis + 2) % 3] = cell % n + corner[1];
+          s.quads[4 * s.quad_count + c] = point_id(ids, &s, n, at);
+        }
+        s.quad_count++;
+      }
+  free(ids);
+  return s;
+}
+
+/** Bend the cube, so that no level is an affine image of a cap. */
+static void bend(surface_arrays *s) {
+  for (size_t v = 0; v < s->point_count; v++) {
+    double *p = s->points + 3 * v, x = p[0], y = p[1], z = p[2];
+    p[0] = x + 0.1 * sin(3 * y) * z;
+    p[2] = z + 0.05 * sin(3 * x * y);
+  }
+}
+
+static size_t random_below(uint64_t *state, size_t bound) {
+  *state = *state * 6364136223846793005u + 1442695040888963407u;
+  return (size_t)((*state >> 33) % bound);
+}
+
+/** Number points and quads at random: real files have no helpful order. */
+static void shuffle(surface_arrays *s) {
+  uint64_t state = 1;
+  int32_t *place = allocate(s->point_count, sizeof *place);
+  double *points = allocate(3 * s->point_count, sizeof *points);
+  for (size_t v = 0; v < s->point_count; v++) {
+    size_t other = random_below(&state, v + 1);
+    place[v] = place[other];
+    place[other] = (int32_t)v;
+  }
+  for (size_t v = 0; v < s->point_count; v++)
+    memcpy(points + 3 * (size_t)place[v], s->points + 3 * v, 3 * sizeof *points);
+  for (size_t i = 0; i < 4 * s->quad_count; i++)
+    s->quads[i] = place[s->quads[i]];
+  for (size_t q = s->quad_count; q > 1; q--) {
+    size_t other = random_below(&state, q);
+    int32_t quad[4];
+    memcpy(quad, s->quads + 4 * other, sizeof quad);
+    memcpy(s->quads + 4 * other, s->quads + 4 * (q - 1), sizeof quad);
+    memcpy(s->quads + 4 * (q - 1), quad, sizeof quad);
+  }
+  free(place);
+  free(s->points);
+  s->points = points;
+}
+
+static void check(hexcon_context *context, hexcon_status status) {
+  if (status)
+    stop(hexcon_context_message(context));
+}
+
+/** Scramble a thousandth of the inner points and repair the mesh. */
+static void bench_optimise(hexcon_context *context, table *t, int size, const hexcon_mesh *mesh,
+                           size_t fixed_count) {
+  size_t count = hexcon_mesh_point_count(mesh);
+  double *points = allocate(3 * count, sizeof *points), edge = cbrt((double)count);
+  uint8_t *fixed = allocate(count, 1);
+  uint64_t state = 2;
+  memset(fixed, 1, fixed_count);
+  memcpy(points, hexcon_mesh_points(mesh), 3 * count * sizeof *points);
+  for (size_t i = 0; i < (count - fixed_count) / 1000; i++) {
+    size_t v = fixed_count + random_below(&state, count - fixed_count);
+    for (size_t k = 0; k < 3; k++)
+      points[3 * v + k] += ((double)random_below(&state, 2001) / 1000 - 1) / edge;
+  }
+  hexcon_optimize_options options = {.target = 0.5};
+  double start = now();
+  check(context, hexcon_optimize(context, points, count, hexcon_mesh_hexes(mesh),
+                                 hexcon_mesh_hex_count(mesh), fixed, &options, points));
+  note(t, size, "repair of 0.1 % scrambled", now() - start);
+  free(points);
+  free(fixed);
+}
+
+static void bench_size(hexcon_context *context, table *t, int size, size_t n) {
+  surface_arrays s = cube_surface(n);
+  bend(&s);
+  shuffle(&s);
+  hexcon_surface_report report;
+  double start = now();
+  check(context,
+        hexcon_check_surface(context, s.points, s.point_count, s.quads, s.quad_count, &report));
+  note(t, size, "surface report", now() - start);
+  hexcon_mesh *mesh;
+  start = now();
+  check(context,
+        hexcon_mesh_surface(context, s.points, s.point_count, s.quads, s.quad_count, NULL, &mesh));
+  note(t, size, "swept, in all", now() - start);
+  struct rusage usage;
+  (void)getrusage(RUSAGE_SELF, &usage);
+  t->memory[size] = (double)usage.ru_maxrss / 1024;
+  t->hexes[size] = hexcon_mesh_hex_count(mesh);
+  const hexcon_figure *figures;
+  size_t figure_count = hexcon_mesh_report(mesh, &figures);
+  for (size_t i = 0; i < figure_count; i++)
+    if (strncmp(figures[i].name, "seconds ", 8) == 0) {
+      char name[48];
+      (void)snprintf(name, sizeof name, "  %.40s", figures[i].name + 8);
+      note(t, size, name, figures[i].value);
+    }
+  double *values = allocate(t->hexes[size], sizeof *values);
+  start = now();
+  check(context, hexcon_quality(context, hexcon_mesh_points(mesh), hexcon_mesh_point_count(mesh),
+                                hexcon_mesh_hexes(mesh), t->hexes[size], values));
+  note(t, size, "quality", now() - start);
+  free(values);
+  hexcon_second_order raised;
+  start = now();
+  check(context,
+        hexcon_raise_order(context, hexcon_mesh_points(mesh), hexcon_mesh_point_count(mesh),
+                           hexcon_mesh_hexes(mesh), t->hexes[size], &raised));
+  note(t, size, "second order", now() - start);
+  hexcon_second_order_free(context, &raised);
+  bench_optimise(context, t, size, mesh, s.point_count);
+  hexcon_mesh_free(context, mesh);
+  free(s.points);
+  free(s.quads);
+}
+
+static void print_row(const table *t, const char *name, const double values[SIZES]) {
+  (void)printf("%-32s", name);
+  for (int i = 0; i < SIZES; i++)
+    (void)printf("%12.4f", values[i]);
+  for (int i = 1; i < SIZES; i++)
+    (void)printf("%10.2f", values[i - 1] > 0 && values[i] > 0
+                               ? log(values[i] / values[i - 1]) /
+                                     log((double)t->hexes[i] / (double)t->hexes[i - 1])
+                               : 0.0);
+  (void)printf("\n");
+}
+
 int main(void) {
+  static const size_t cells[SIZES] = {22, 46, 100};
+  table t = {{0}, {0}, 0, {{0}}, {{0}}};
+  hexcon_context *context = hexcon_context_new();
+  if (!context)
+    stop("out of memory");
+  for (int size = 0; size < SIZES; size++)
+    bench_size(context, &t, size, cells[size]);
+  hexcon_context_free(context);
+  (void)printf("%-32s%12zu%12zu%12zu%20s\n", "hexes", t.hexes[0], t.hexes[1], t.hexes[2],
+               "exponents");
+  for (size_t stage = 0; stage < t.stage_count; stage++)
+    print_row(&t, t.names[stage], t.seconds[stage]);
+  print_row(&t, "peak memory after swept, MiB", t.memory);
+  (void)printf("seconds unless said otherwise; one thread; exponents between neighbouring sizes\n");
   return 0;
 }

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From a STEP file to a solved hex model: freecadcmd run_bracket.py
+"""From a STEP file to a solved hex model: freecadcmd run_bracket.py [-- FOLDER]
 
 Meshes resources/examples/bracket.step, holds the underside of its long leg, pulls the end of the
-short one, solves in CalculiX, and leaves .FCStd, .inp, .vtu and .png in output/. Copy it and
-change `PART`, `SIZE`, `ORDER` and `loads()` for a part of your own.
+short one, solves in CalculiX, and leaves .FCStd, .inp, .vtu and .png in FOLDER, or in output/.
+Copy it and change `PART`, `SIZE`, `ORDER` and `loads()` for a part of your own.
 """
 import os
 import sys
@@ -14,7 +14,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 sys.path[:0] = [ROOT, os.path.join(ROOT, "workbench")]
 
 PART = os.path.join(ROOT, "resources", "examples", "bracket.step")
-OUTPUT = os.path.join(ROOT, "output")
+OUTPUT = os.path.abspath(sys.argv[-1]) if "--" in sys.argv else os.path.join(ROOT, "output")
 SIZE = 5.0  # mm
 ORDER = 2   # C3D20
 

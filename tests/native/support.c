@@ -39,9 +39,8 @@ test_mesh test_mesh_copy(const test_mesh *mesh) {
 
 test_mesh make_surface(const double (*points)[3], size_t point_count, const int32_t (*quads)[4],
                        size_t quad_count) {
-  test_mesh mesh = {.point_count = point_count,
-                    .surface_point_count = point_count,
-                    .quad_count = quad_count};
+  test_mesh mesh = {
+      .point_count = point_count, .surface_point_count = point_count, .quad_count = quad_count};
   mesh.points = copy_array(points, 3 * point_count, sizeof(double));
   mesh.quads = copy_array(quads, 4 * quad_count, sizeof(int32_t));
   mesh.hexes = make_array(0, sizeof(int32_t));
@@ -143,8 +142,7 @@ test_mesh make_cells(int nx, int ny, int nz, const char *cells) {
     int x = cell % nx, y = cell / nx % ny, z = cell / nx / ny;
     for (int c = 0; c < 8; c++)
       mesh.hexes[8 * mesh.hex_count + (size_t)c] =
-          x + offsets[c][0] +
-          (nx + 1) * (y + offsets[c][1] + (ny + 1) * (z + offsets[c][2]));
+          x + offsets[c][0] + (nx + 1) * (y + offsets[c][1] + (ny + 1) * (z + offsets[c][2]));
     mesh.hex_count++;
   }
   finish_mesh(&mesh);
@@ -205,8 +203,8 @@ test_mesh make_tube(int sectors, int rings) {
     int32_t quad[4] = {i, sectors + i, sectors + next, next};
     memcpy(quads[i], quad, sizeof quad);
   }
-  test_mesh mesh = make_prism((const double(*)[2])points, 2 * n, (const int32_t(*)[4])quads, n,
-                              rings);
+  test_mesh mesh =
+      make_prism((const double(*)[2])points, 2 * n, (const int32_t(*)[4])quads, n, rings);
   free(points);
   free(quads);
   return mesh;
@@ -312,8 +310,8 @@ void *test_reallocate(void *user, void *memory, size_t size) {
   }
   if (++counts->calls == counts->fail_at)
     return NULL;
-  if (counts->most_bytes && (size > counts->most_bytes ||
-                             counts->live_bytes - before + size > counts->most_bytes))
+  if (counts->most_bytes &&
+      (size > counts->most_bytes || counts->live_bytes - before + size > counts->most_bytes))
     return NULL;
   char *grown = malloc(size + HEADER); /* never in place: stale pointers show under ASan */
   if (!grown)
@@ -346,6 +344,11 @@ double random_between(uint64_t *state, double low, double high) {
 }
 
 /* ---------------------------------------------------------------------------------- assertions */
+
+void assert_close(double a, double b, double tolerance) {
+  if (!(fabs(a - b) <= tolerance))
+    fail_msg("%.17g is not %.17g", a, b);
+}
 
 void assert_message(const hexcon_context *context) {
   assert_true(hexcon_context_message(context)[0] != '\0');

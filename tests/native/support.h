@@ -55,9 +55,9 @@ bool has_edge(const test_mesh *mesh, int32_t a, int32_t b);
 
 /** Counts what is allocated, fails at will. */
 typedef struct test_memory {
-  size_t calls;      /**< allocations so far */
-  size_t fail_at;    /**< number of the allocation that fails, from 1; 0: none */
-  size_t live;       /**< blocks not freed */
+  size_t calls;                  /**< allocations so far */
+  size_t fail_at;                /**< number of the allocation that fails, from 1; 0: none */
+  size_t live;                   /**< blocks not freed */
   size_t live_bytes, most_bytes; /**< most_bytes 0: no limit */
 } test_memory;
 
@@ -77,9 +77,12 @@ double random_between(uint64_t *state, double low, double high);
 
 /** The last error has words, and exactly these ids in any order. */
 void assert_elements(const hexcon_context *context, const int32_t *expected, size_t count);
+/** |a - b| <= tolerance; cmocka compares floats only. */
+void assert_close(double a, double b, double tolerance);
 /** The last error has words. */
 void assert_message(const hexcon_context *context);
-/** The mesh exists, is certified by a fresh hexcon_certify, and starts with the surface's points. */
+/** The mesh exists, is certified by a fresh hexcon_certify, and starts with the surface's points.
+ */
 void assert_certified_mesh(hexcon_context *context, const test_mesh *surface,
                            const hexcon_mesh *mesh);
 

@@ -39,9 +39,9 @@ static void expect_topological_fault(test_mesh mesh, hexcon_status fault, const 
   assert_int_equal(hexcon_surface_loops(context, mesh.quads, mesh.quad_count, &loops), fault);
   assert_null(loops.quads);
   assert_elements(context, ids, count);
-  assert_int_equal(hexcon_surface_colouring(context, mesh.quads, mesh.quad_count,
-                                            mesh.point_count, colours),
-                   fault);
+  assert_int_equal(
+      hexcon_surface_colouring(context, mesh.quads, mesh.quad_count, mesh.point_count, colours),
+      fault);
   assert_elements(context, ids, count);
   hexcon_context_free(context);
   expect_fault(mesh, fault, ids, count);
@@ -77,13 +77,11 @@ static void too_large(void **state) {
   hexcon_loops loops;
   uint8_t colours[8];
   const size_t quads = (size_t)INT32_MAX / 4 + 1, points = (size_t)INT32_MAX + 1;
-  assert_int_equal(
-      hexcon_check_surface(context, cube.points, 8, cube.quads, quads, &report),
-      HEXCON_TOO_LARGE);
+  assert_int_equal(hexcon_check_surface(context, cube.points, 8, cube.quads, quads, &report),
+                   HEXCON_TOO_LARGE);
   assert_elements(context, NULL, 0);
-  assert_int_equal(
-      hexcon_check_surface(context, cube.points, points, cube.quads, 6, &report),
-      HEXCON_TOO_LARGE);
+  assert_int_equal(hexcon_check_surface(context, cube.points, points, cube.quads, 6, &report),
+                   HEXCON_TOO_LARGE);
   assert_int_equal(hexcon_surface_loops(context, cube.quads, quads, &loops), HEXCON_TOO_LARGE);
   assert_int_equal(hexcon_surface_loops(context, cube.quads, SIZE_MAX, &loops), HEXCON_TOO_LARGE);
   assert_int_equal(hexcon_surface_colouring(context, cube.quads, quads, 8, colours),
@@ -236,8 +234,8 @@ static void klein_bottle(void **state) {
       points[i * N + j][1] = j;
       points[i * N + j][2] = i * j;
     }
-  expect_one_sided(make_surface((const double(*)[3])points, M * N, (const int32_t(*)[4])quads,
-                                M * N));
+  expect_one_sided(
+      make_surface((const double(*)[3])points, M * N, (const int32_t(*)[4])quads, M * N));
 }
 
 static void projective_plane(void **state) {
@@ -270,7 +268,8 @@ static void several_components(void **state) {
   (void)state;
   test_mesh pair = make_cells(3, 1, 1, "#.#");
   int32_t second = 0, ids[2] = {0, 0};
-  while (pair.points[3 * pair.quads[4 * second]] < 1.5 == pair.points[3 * pair.quads[0]] < 1.5)
+  bool left = pair.points[3 * pair.quads[0]] < 1.5;
+  while ((pair.points[3 * pair.quads[4 * second]] < 1.5) == left)
     second++;
   ids[1] = second;
   expect_unfillable(pair, HEXCON_SEVERAL_COMPONENTS, ids, 2);
@@ -301,9 +300,8 @@ static void not_bipartite(void **state) {
   test_mesh torus = make_torus(3, 4);
   uint8_t colours[12];
   const int32_t *ids;
-  assert_int_equal(
-      hexcon_surface_colouring(context, torus.quads, torus.quad_count, 12, colours),
-      HEXCON_NOT_BIPARTITE);
+  assert_int_equal(hexcon_surface_colouring(context, torus.quads, torus.quad_count, 12, colours),
+                   HEXCON_NOT_BIPARTITE);
   assert_message(context);
   size_t count = hexcon_context_elements(context, &ids);
   assert_true(count % 2 == 1 && count >= 3);
@@ -339,8 +337,7 @@ static void bad_options(void **state) {
   hexcon_context *context = hexcon_context_new();
   test_mesh cube = make_box(1, 1, 1);
   hexcon_mesh *made = NULL;
-  const hexcon_mesh_options wrong[] = {
-      {.order = 3}, {.order = -1}, {.method = (hexcon_method)17}};
+  const hexcon_mesh_options wrong[] = {{.order = 3}, {.order = -1}, {.method = (hexcon_method)17}};
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
     assert_int_equal(hexcon_mesh_surface(context, cube.points, 8, cube.quads, 6, &wrong[i], &made),
                      HEXCON_BAD_ARGUMENT);

@@ -7,12 +7,12 @@ workbench and CalculiX behind. FreeCAD is imported only by the calls that need i
 from hexcon_native import HexconError, Mesh
 
 from .errors import FaultCode, ToolError
-from .meshing import mesh_solid, mesh_surface
+from .meshing import mesh_quad_surface, mesh_solid, mesh_surface
 
 __version__ = "0.1.0"
 
-__all__ = ["FaultCode", "HexconError", "Mesh", "ToolError", "mesh_solid", "mesh_surface", "solve",
-           "to_femmesh", "write"]
+__all__ = ["FaultCode", "HexconError", "Mesh", "ToolError", "mesh_quad_surface", "mesh_solid",
+           "mesh_surface", "solve", "to_femmesh", "write"]
 
 
 def to_femmesh(mesh, order=None):

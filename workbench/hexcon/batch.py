@@ -8,7 +8,7 @@ import traceback
 
 from .chatter import chatter_to
 from .cli.commands import SOLID_ENDINGS
-from .errors import HexconError
+from .errors import FaultCode, HexconError, ToolError
 from .files import WRITERS, write
 from .meshing import mesh_solid
 from .quads import METHODS as SURFACE_METHODS
@@ -23,25 +23,38 @@ def parts_in(folder):
     return [os.path.join(folder, n) for n in names]
 
 
-def mesh_part(path, out, size, endings, **options):
-    """Mesh one part and write it; returns (done, the line that tells of it).
+def results_of(parts, out, endings):
+    """Paths to write for each part: its name with each ending. Parts that differ in their own
+    ending alone keep it: box.step and box.brep give box.step.inp and box.brep.inp."""
+    names = [os.path.basename(path) for path in parts]
+    stems = [os.path.splitext(name)[0] for name in names]
+    return [[os.path.join(out, (stem if stems.count(stem) == 1 else name) + ending)
+             for ending in endings] for name, stem in zip(names, stems)]
+
+
+def mesh_part(path, results, size, **options):
+    """Mesh one part and write it to each of results; returns (done, the line that tells of it).
 
     Any exception but an interrupt becomes a line: a batch goes on.
     """
     name = os.path.basename(path)
     started = time.monotonic()
     try:
+        if any(os.path.exists(result) and os.path.samefile(path, result) for result in results):
+            raise ToolError("the result would overwrite the part; give another --out",
+                            FaultCode.BAD_OPTION)
         with chatter_to():
             mesh = mesh_solid(path, size, **options)
-            for ending in endings:
-                write(mesh, os.path.join(out, os.path.splitext(name)[0] + ending))
+            for result in results:
+                write(mesh, result)
     except HexconError as fault:
-        return False, f"FAILED {name}: {fault} [{fault.code.name}]"
+        return False, f"FAILED {name}: {' '.join(str(fault).split())} [{fault.code.name}]"
     except Exception as fault:  # a defect of ours must not cost the other parts
         traceback.print_exc()
-        return False, f"FAILED {name}: {type(fault).__name__}: {fault}"
+        return False, f"FAILED {name}: {type(fault).__name__}: {' '.join(str(fault).split())}"
+    proof = "certified" if mesh.certificate.certified else "NOT certified"
     return True, (f"ok     {name}: {len(mesh.hexes)} hexes, {mesh.surface.method} surface, scaled "
-                  f"Jacobian min {mesh.quality.min:.3f} mean {mesh.quality.mean:.3f}, certified, "
+                  f"Jacobian min {mesh.quality.min:.3f} mean {mesh.quality.mean:.3f}, {proof}, "
                   f"{time.monotonic() - started:.1f} s")
 
 
@@ -51,11 +64,16 @@ def mesh_folder(folder, out, size, endings=(".inp",), tell=print, **options):
     endings  formats to write, of files.WRITERS
     tell     called with each line
     options  as meshing.mesh_solid
+    Raises ToolError(FILE_IO) where the folder of results cannot be made.
     """
-    os.makedirs(out, exist_ok=True)
+    try:
+        os.makedirs(out, exist_ok=True)
+    except OSError as fault:
+        raise ToolError(f"cannot make {out}: {fault.strerror}", FaultCode.FILE_IO) from fault
     done = failed = 0
-    for path in parts_in(folder):
-        good, line = mesh_part(path, out, size, endings, **options)
+    parts = parts_in(folder)
+    for path, results in zip(parts, results_of(parts, out, endings)):
+        good, line = mesh_part(path, results, size, **options)
         done, failed = done + good, failed + (not good)
         tell(line)
     tell(f"{done} done, {failed} failed of {done + failed} parts in {folder}; results in {out}")
@@ -83,8 +101,12 @@ def main(arguments=None):
     if not os.path.isdir(options.folder):
         print(f"mesh_folder: there is no folder {options.folder}", file=sys.stderr)
         return EXIT_USAGE
-    done, failed = mesh_folder(
-        options.folder, options.out or os.path.join(options.folder, "hexcon"), options.size,
-        tuple(options.write or (".inp",)), lambda line: print(line, flush=True),
-        order=options.order, surface_method=options.surface_method)
+    try:
+        done, failed = mesh_folder(
+            options.folder, options.out or os.path.join(options.folder, "hexcon"), options.size,
+            tuple(options.write or (".inp",)), lambda line: print(line, flush=True),
+            order=options.order, surface_method=options.surface_method)
+    except ToolError as fault:
+        print(f"mesh_folder: {fault}", file=sys.stderr)
+        return EXIT_USAGE
     return EXIT_DONE if done and not failed else EXIT_SOME_FAILED

@@ -38,7 +38,7 @@ def main(arguments=None):
         print(json.dumps(facts))
     else:
         print("\n".join(lines))
-    failed = options.command == "check" and not facts["certificate"]["certified"]
+    failed = options.command == "check" and not facts["certified"]
     return EXIT_NOT_CERTIFIED if failed else EXIT_DONE
 
 

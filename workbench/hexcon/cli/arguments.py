@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Options of the command line."""
 import argparse
+import math
 
 import hexcon_native
 
@@ -16,7 +17,7 @@ def _face_vector(text):
     try:
         face, values = text.split("=")
         vector = tuple(float(v) for v in values.split(","))
-        if not face or len(vector) != 3:
+        if not face or len(vector) != 3 or not all(map(math.isfinite, vector)):
             raise ValueError
     except ValueError:
         raise argparse.ArgumentTypeError(f"{text!r}: write FaceN=fx,fy,fz") from None
@@ -27,9 +28,11 @@ def _face_value(text):
     """Face2=1.5 -> ("Face2", 1.5)"""
     try:
         face, value = text.split("=")
-        return face, float(value)
+        if not face or not math.isfinite(float(value)):
+            raise ValueError
     except ValueError:
         raise argparse.ArgumentTypeError(f"{text!r}: write FaceN=MPa") from None
+    return face, float(value)
 
 
 def _add_meshing(command):

@@ -7,9 +7,11 @@ import numpy as np
 import hexcon_native
 
 from ..calculix import solve_inp, static_deck
+from ..calculix.deck import face_number
 from ..errors import FaultCode, ToolError
+from ..femmesh.hexahedron import EDGES
 from ..files import WRITERS, read_mesh, write
-from ..meshing import mesh_given_surface, mesh_solid
+from ..meshing import mesh_quad_surface, mesh_solid
 from ..quads import surface_from_file
 from ..quads.solids import CAD_ENDINGS
 
@@ -44,7 +46,7 @@ def _mesh_input(options):
                             FaultCode.BAD_OPTION)
         return mesh_solid(options.input, options.size, surface_method=options.surface_method,
                           timeout=options.timeout, **kept)
-    return mesh_given_surface(surface_from_file(options.input), **kept)
+    return mesh_quad_surface(surface_from_file(options.input), **kept)
 
 
 def _facts(mesh):
@@ -64,17 +66,22 @@ def _mesh_lines(mesh):
     return lines
 
 
-def _check_endings(paths, known):
+def _check_outputs(options, known):
     """Before the work, not after it."""
-    for path in paths:
+    for path in options.output:
         if _ending(path) not in known:
             raise ToolError(f"cannot write {path}: one of {', '.join(sorted(known))} is possible",
                             FaultCode.FILE_FORMAT)
+        if not os.path.isdir(os.path.dirname(os.path.abspath(path))):
+            raise ToolError(f"cannot write {path}: its folder does not exist", FaultCode.FILE_IO)
+        if os.path.exists(path) and os.path.exists(options.input) \
+                and os.path.samefile(path, options.input):
+            raise ToolError(f"{path} is the input: it would be lost", FaultCode.BAD_OPTION)
 
 
 def mesh(options):
     """hexcon mesh IN -o OUT"""
-    _check_endings(options.output, WRITERS)
+    _check_outputs(options, WRITERS)
     made = _mesh_input(options)
     for path in options.output:
         write(made, path)
@@ -90,17 +97,31 @@ def check(options):
         quads = _match_surface(found.points, surface_from_file(options.surface))
     certificate = hexcon_native.certify(found.points, found.hexes, quads)
     quality = hexcon_native.quality(found.points, found.hexes)
+    curved = _curved_hexes(found)
     lines = [f"mesh          {len(found.hexes)} hexes, {len(found.points)} points, order "
-             f"{found.order}, {len(found.quads)} boundary quads",
-             _quality_line(quality), _certificate_line(certificate, found.order)]
+             f"{found.order}, {len(found.quads)} boundary quads", _quality_line(quality),
+             _certificate_line(certificate, 1 if len(curved) else found.order)]
+    if len(curved):
+        lines.append(f"              {len(curved)} hexes have middle nodes off the middles of their "
+                     "edges; the above is of straight edges, and nothing is proved of the curved")
     for name, ids in (("not positive", certificate.nonpositive),
-                      ("improper", certificate.improper)):
+                      ("improper", certificate.improper), ("curved", curved)):
         if len(ids):
             lines.append(f"{name:13} hexes {', '.join(map(str, ids[:20]))}"
                          f"{' ...' if len(ids) > 20 else ''}")
     return ({"points": len(found.points), "hexes": len(found.hexes), "order": found.order,
              "quads": len(found.quads), "quality": quality.as_dict(),
-             "certificate": certificate.as_dict()}, lines)
+             "certificate": certificate.as_dict(), "curved": curved[:1000].tolist(),
+             "certified": certificate.certified and not len(curved)}, lines)
+
+
+def _curved_hexes(mesh):
+    """Rows of the hexes of order 2 with an edge that is not straight (1e-6 of its length)."""
+    if mesh.order == 1:
+        return np.zeros(0, np.int64)
+    start, end = (mesh.points[mesh.hexes[:, EDGES[:, k]]] for k in (0, 1))
+    off = np.linalg.norm(mesh.points[mesh.hexes[:, 8:]] - (start + end) / 2, axis=2)
+    return np.flatnonzero((off > 1e-6 * np.linalg.norm(end - start, axis=2)).any(axis=1))
 
 
 def _match_surface(points, surface):
@@ -148,13 +169,22 @@ def info(options):
         *(f"note          {note}" for note in surface.notes)]
 
 
+def _by_face(loads):
+    """{"Face2": load}; two loads of one kind on a face would not be what was meant."""
+    by_face = {f"Face{face_number(face)}": load for face, load in loads}
+    if len(by_face) < len(loads):
+        raise ToolError("a face is given two loads of one kind; add them up", FaultCode.BAD_OPTION)
+    return by_face
+
+
 def solve(options):
     """hexcon solve IN --fixed FaceN --force FaceN=fx,fy,fz"""
-    _check_endings(options.output, {".vtu", ".vtk", ".png"})
+    _check_outputs(options, {".vtu", ".vtk", ".png"})
+    force, pressure = _by_face(options.force), _by_face(options.pressure)
     is_solid = _ending(options.input) in SOLID_ENDINGS
     made = _mesh_input(options) if is_solid else read_mesh(options.input)
     deck = static_deck(made, {"young": options.young, "poisson": options.poisson},
-                       options.fixed, dict(options.force), dict(options.pressure))
+                       options.fixed, force, pressure)
     result = solve_inp(deck, timeout=options.ccx_timeout)
     displacements = np.zeros((len(made.points), 3))
     displacements[result.node_ids - 1] = result.displacements

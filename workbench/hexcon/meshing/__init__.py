@@ -7,7 +7,7 @@ from hexcon_native import ErrorCode, HexconError
 
 from ..quads import surface_from_solid
 
-__all__ = ["mesh_given_surface", "mesh_solid", "mesh_surface"]
+__all__ = ["mesh_quad_surface", "mesh_solid", "mesh_surface"]
 
 
 def mesh_surface(points, quads, method="auto", **options):
@@ -18,7 +18,7 @@ def mesh_surface(points, quads, method="auto", **options):
     return hexcon_native.mesh(points, quads, method, **options)
 
 
-def mesh_given_surface(surface, method="auto", **options):
+def mesh_quad_surface(surface, method="auto", **options):
     """As mesh_surface for a quads.QuadSurface; the mesh gets .surface and .face_of_quad."""
     try:
         mesh = mesh_surface(surface.points, surface.quads, method, **options)
@@ -53,7 +53,7 @@ def mesh_solid(shape_or_file, size, *, surface_method="auto", method="auto", tim
     surface = surface_from_solid(shape_or_file, size, surface_method, timeout=timeout,
                                  progress=_raising(progress))
     seconds = time.monotonic() - started
-    mesh = mesh_given_surface(surface, method, progress=progress, **options)
+    mesh = mesh_quad_surface(surface, method, progress=progress, **options)
     mesh.solid = shape_or_file
     mesh.report["seconds surface"] = seconds
     return mesh

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Run gmsh in a process of its own: it may crash, hang, or be cancelled without harm to the caller.
 
-The interpreter is $HEXCON_GMSH_PYTHON, or else this one if it has gmsh and numpy, or else /usr/bin/python3.
+The interpreter is $HEXCON_GMSH_PYTHON, or else this one if it has gmsh, numpy and SciPy, or else /usr/bin/python3.
 """
 import functools
 import importlib.util
@@ -23,26 +23,26 @@ CRASHES = 12    # so often a job is started again without the step that killed i
 
 @functools.lru_cache(maxsize=None)
 def gmsh_python(named=None):
-    """Path of a Python that can `import gmsh, numpy`. named: the value of HEXCON_GMSH_PYTHON, if set.
+    """Path of a Python that can `import gmsh, numpy, scipy`. named: the value of HEXCON_GMSH_PYTHON, if set.
 
     Raises ToolError TOOL_MISSING. The answer is kept for the life of the process.
     """
     if named:
         if _has_gmsh(named):
             return named
-        raise ToolError(f"HEXCON_GMSH_PYTHON is {named}, which cannot import gmsh and numpy", FaultCode.TOOL_MISSING)
+        raise ToolError(f"HEXCON_GMSH_PYTHON is {named}, which cannot import gmsh, numpy and scipy", FaultCode.TOOL_MISSING)
     is_python = os.path.basename(sys.executable or "").lower().startswith("python")
-    if is_python and all(importlib.util.find_spec(m) for m in ("gmsh", "numpy")):
+    if is_python and all(importlib.util.find_spec(m) for m in ("gmsh", "numpy", "scipy")):
         return sys.executable
     if _has_gmsh("/usr/bin/python3"):
         return "/usr/bin/python3"
-    raise ToolError("no Python with the gmsh module was found: install python3-gmsh (or pip install gmsh), or set "
-                    "HEXCON_GMSH_PYTHON to the interpreter that has it", FaultCode.TOOL_MISSING)
+    raise ToolError("no Python with gmsh, numpy and scipy was found: install python3-gmsh and python3-scipy, or set "
+                    "HEXCON_GMSH_PYTHON to the interpreter that has them", FaultCode.TOOL_MISSING)
 
 
 def _has_gmsh(python):
     try:
-        return subprocess.run([python, "-c", "import gmsh, numpy"], stdout=subprocess.DEVNULL,
+        return subprocess.run([python, "-c", "import gmsh, numpy, scipy"], stdout=subprocess.DEVNULL,
                               stderr=subprocess.DEVNULL, timeout=60, check=False).returncode == 0
     except (OSError, subprocess.TimeoutExpired):
         return False

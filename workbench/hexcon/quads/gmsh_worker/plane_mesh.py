@@ -1,41 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Small tools for plane meshes with a fixed outline."""
 import numpy as np
+from scipy.sparse import coo_matrix, diags
+from scipy.sparse.linalg import splu
 
 
-def harmonic(values, quads, fixed, tolerance=1e-10, rounds=2000):
-    """(m,k) values with the free rows set to the mean of their edge neighbours (conjugate gradients).
+def harmonic(values, quads, fixed):
+    """(m,k) values with the free rows set to the mean of their edge neighbours. fixed (m,) bool.
 
-    fixed (m,) bool. Cost about sqrt(m) products with the graph Laplacian.
+    One sparse factorisation of the graph Laplacian: about m log m in the plane.
     """
     a, b = quads.ravel(), np.roll(quads, -1, axis=1).ravel()
-    low, high = np.minimum(a, b), np.maximum(a, b)
-    pairs = np.unique(low * np.int64(len(values)) + high)
-    low, high = pairs // len(values), pairs % len(values)
-    free = ~fixed
-    degree = np.bincount(low, minlength=len(values)) + np.bincount(high, minlength=len(values))
-
-    def laplace(x):
-        y = degree[:, None] * x
-        for k in range(x.shape[1]):
-            y[:, k] -= np.bincount(low, x[high, k], minlength=len(x))
-            y[:, k] -= np.bincount(high, x[low, k], minlength=len(x))
-        y[fixed] = 0.0
-        return y
-
+    count = len(values)
+    adjacent = coo_matrix((np.ones(2 * len(a)), (np.r_[a, b], np.r_[b, a])), shape=(count, count)).tocsr()
+    adjacent.data[:] = 1.0      # an inner edge came twice
+    laplace = diags(np.asarray(adjacent.sum(axis=1)).ravel()) - adjacent
     x = np.array(values, float)
-    r = -laplace(x)
-    p, rr = r.copy(), float((r * r).sum())
-    stop = tolerance ** 2 * max(rr, 1e-300)
-    for _ in range(rounds):
-        if rr <= stop or not free.any():
-            break
-        ap = laplace(p)
-        alpha = rr / max(float((p * ap).sum()), 1e-300)
-        x += alpha * p
-        r -= alpha * ap
-        rr, before = float((r * r).sum()), rr
-        p = r + rr / before * p
+    free = np.flatnonzero(~fixed)
+    if len(free):
+        rows = laplace.tocsr()[free]
+        x[free] = splu(rows[:, free].tocsc()).solve(-(rows[:, np.flatnonzero(fixed)] @ x[fixed]))
     return x
 
 

@@ -4,6 +4,7 @@
 points (m,2) float64, quads (n,4) int, counter-clockwise. Cost is linear in n per iteration.
 """
 import numpy as np
+from scipy.optimize import minimize
 
 _TINY = 1e-300
 
@@ -65,70 +66,35 @@ def _key(points, quads):
 
 
 def _descend(points, quads, free, power, aspect, rounds):
-    """L-BFGS with a backtracking line search; memory 8."""
+    """L-BFGS from SciPy on the free coordinates, in units of the mean quad so that its first step fits."""
     det = corners(points, quads)[2]
     size = float(np.abs(det).mean())
-    eps = 0.0 if det.min() > 1e-3 * size else max(1e-3 * size, -0.5 * float(det.min()))
-    floor = scaled_jacobian(points, quads).min() if eps == 0.0 else None
-    reference = 1.0 / max(floor, 0.05) if floor is not None else 1.0
+    valid = det.min() > 1e-3 * size
+    eps = 1e-3 * size if valid else max(1e-3 * size, -0.5 * float(det.min()))   # never 0: line searches need
+    reference = 1.0 / max(scaled_jacobian(points, quads).min(), 0.05) if valid else 1.0     # finite values
+    unit = np.sqrt(size)
+
+    def moved(x):
+        result = points.copy()
+        result[free] = x.reshape(-1, 2) * unit
+        return result
 
     def value(x):
-        moved = points.copy()
-        moved[free] = x.reshape(-1, 2)
-        e, g = _energy(moved, quads, power if eps == 0.0 else 1, aspect, eps, reference)
-        return e, g[free].ravel()
+        e, g = _energy(moved(x), quads, power if valid else 1, aspect, eps, reference)
+        return e, g[free].ravel() * unit
 
-    x = points[free].ravel()
-    e, g = value(x)
-    steps, changes = [], []
-    length = np.sqrt(size)
-    for _ in range(rounds):
-        d = -_two_loop(g, steps, changes)
-        slope = float(d @ g)
-        if slope >= 0:
-            steps, changes = [], []
-            d, slope = -g, -float(g @ g)
-        t = min(1.0, 0.3 * length / max(float(np.abs(d).max()), _TINY))
-        for _ in range(20):
-            e_new, g_new = value(x + t * d)
-            if e_new <= e + 1e-4 * t * slope:
-                break
-            t *= 0.4
-        else:
-            break
-        s, y = t * d, g_new - g
-        if float(s @ y) > 1e-14 * float(y @ y):
-            steps, changes = steps[-7:] + [s], changes[-7:] + [y]
-        done = e - e_new < 1e-7 * abs(e)
-        x, e, g = x + s, e_new, g_new
-        if done:
-            break
-    result = points.copy()
-    result[free] = x.reshape(-1, 2)
-    return result
-
-
-def _two_loop(g, steps, changes):
-    q, alphas = g.copy(), []
-    for s, y in zip(reversed(steps), reversed(changes)):
-        alpha = float(s @ q) / float(s @ y)
-        alphas.append(alpha)
-        q -= alpha * y
-    if steps:
-        q *= float(steps[-1] @ changes[-1]) / float(changes[-1] @ changes[-1])
-    for (s, y), alpha in zip(zip(steps, changes), reversed(alphas)):
-        q += (alpha - float(y @ q) / float(s @ y)) * s
-    return q
+    start = points[free].ravel() / unit
+    found = minimize(value, start, jac=True, method="L-BFGS-B",
+                     options={"maxiter": rounds, "maxcor": 8, "maxls": 30, "ftol": 1e-9, "gtol": 1e-9})
+    return moved(found.x)
 
 
 def _energy(points, quads, power, aspect, eps, reference):
     """(value, gradient (m,2)) of sum ((|a||b|/chi)/reference)^power + aspect (|a|^2+|b|^2)/(2 chi).
 
-    chi is the determinant, or for eps > 0 its smooth positive part.
+    chi is the smooth positive part of the determinant, all but the determinant itself where that is above eps.
     """
     a, b, det = corners(points, quads)
-    if eps == 0.0 and det.min() <= 0.0:
-        return np.inf, np.zeros_like(points)
     root = np.sqrt(det * det + eps * eps)
     chi, dchi = 0.5 * (det + root), 0.5 * (1.0 + det / np.maximum(root, _TINY))
     aa, bb = (a * a).sum(-1), (b * b).sum(-1)

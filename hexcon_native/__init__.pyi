@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+import enum
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .errors import HexconError as HexconError
+
+Progress = Callable[[str, float], Any]
+
+METHODS: dict[str, int]
+
+class ErrorCode(enum.IntEnum):
+    OUT_OF_MEMORY: int
+    CANCELLED: int
+    BAD_ARGUMENT: int
+    TOO_LARGE: int
+    WRONG_SHAPE: int
+    WRONG_TYPE: int
+    EMPTY: int
+    INDEX_OUT_OF_RANGE: int
+    REPEATED_VERTEX: int
+    NOT_FINITE: int
+    UNUSED_POINT: int
+    NOT_CLOSED: int
+    NON_MANIFOLD_EDGE: int
+    NON_MANIFOLD_VERTEX: int
+    NOT_ORIENTABLE: int
+    INCONSISTENT_ORIENTATION: int
+    SEVERAL_COMPONENTS: int
+    ODD: int
+    NOT_BIPARTITE: int
+    NOT_SWEPT: int
+    NOT_CERTIFIED: int
+
+class Loops:
+    lengths: NDArray[np.int64]
+    self_crossings: NDArray[np.int64]
+    def __len__(self) -> int: ...
+
+class SurfaceReport:
+    n: int
+    points: int
+    edges: int
+    genus: int
+    components: int
+    euler: int
+    even: bool
+    bipartite: bool
+    oriented: bool
+    convex: bool
+    star_center: NDArray[np.float64] | None
+    star_margin: float
+    volume: float
+    loops: Loops
+    def as_dict(self) -> dict[str, Any]: ...
+
+class Certificate:
+    certified: bool
+    conforming: bool
+    proper: bool
+    boundary_exact: bool
+    euler: int
+    undecided: int
+    nonpositive: NDArray[np.int32]
+    doublets: NDArray[np.int32]
+    improper: NDArray[np.int32]
+    def as_dict(self) -> dict[str, Any]: ...
+
+class Quality:
+    scaled_jacobian: NDArray[np.float64]
+    min: float
+    mean: float
+    q05: float
+    def as_dict(self) -> dict[str, float]: ...
+
+class Mesh:
+    points: NDArray[np.float64]
+    hexes: NDArray[np.int32]
+    quads: NDArray[np.int32]
+    order: int
+    method: str
+    certificate: Certificate
+    quality: Quality
+    report: dict[str, Any]
+
+def check_surface(points: ArrayLike, quads: ArrayLike) -> SurfaceReport: ...
+def loops(quads: ArrayLike) -> list[NDArray[np.int32]]: ...
+def colouring(quads: ArrayLike) -> NDArray[np.uint8]: ...
+def mesh(points: ArrayLike, quads: ArrayLike, method: str = ..., *, order: int = ...,
+         threads: int = ..., progress: Progress | None = ...,
+         allow_uncertified: bool = ...) -> Mesh: ...
+def quality(points: ArrayLike, hexes: ArrayLike) -> Quality: ...
+def certify(points: ArrayLike, hexes: ArrayLike, quads: ArrayLike, *,
+            progress: Progress | None = ...) -> Certificate: ...
+def optimize(points: ArrayLike, hexes: ArrayLike, fixed: ArrayLike | None = ..., *,
+             rounds: int = ..., iterations: int = ..., target: float = ...,
+             progress: Progress | None = ...) -> NDArray[np.float64]: ...
+def raise_order(points: ArrayLike, hexes: ArrayLike) -> tuple[NDArray[np.float64],
+                                                              NDArray[np.int32]]: ...

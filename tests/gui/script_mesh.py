@@ -1,0 +1,290 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A user's session: mesh solids through the panel, cancel, fail, undo, check, save, reload."""
+import os
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+from session import OUT, find, picture, run, say, settle, wait
+
+state = {}
+
+
+def select(solid, face=""):
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(solid.Document.Name, solid.Name, face)
+
+
+def words():
+    label = find(QtGui.QLabel, "result")
+    text = QtGui.QTextDocument()
+    text.setHtml(label.text())
+    return text.toPlainText().replace("\u00a0", " ")
+
+
+def button(name):
+    return find(QtGui.QPushButton, name)
+
+
+def open_panel(command):
+    FreeCADGui.runCommand(command)
+    wait(lambda: find(QtGui.QLabel, "result"), f"the panel of {command}")
+
+
+def close_panel():
+    box = wait(lambda: FreeCADGui.getMainWindow().findChild(
+        QtGui.QDialogButtonBox), "the panel's buttons")
+    box.button(QtGui.QDialogButtonBox.Close).click()
+    wait(lambda: not FreeCADGui.Control.activeDialog(), "the panel to close")
+
+
+def is_idle():
+    return button("mesh").isEnabled() and words()
+
+
+def choose(name, data):
+    box = find(QtGui.QComboBox, name)
+    box.setCurrentIndex(box.findData(data))
+
+
+def mesh(size, method="auto", order=1):
+    find(QtGui.QAbstractSpinBox, "size").setProperty("rawValue", size)
+    choose("surface_method", method)
+    choose("order", order)
+    button("mesh").click()
+
+
+def meshes():
+    return [o for o in state["doc"].Objects if o.isDerivedFrom("Fem::FemMeshObject")]
+
+
+# ------------------------------------------------------------------------------------------ steps
+
+def workbench_has_its_commands():
+    FreeCADGui.activateWorkbench("HexConWorkbench")
+    assert FreeCADGui.activeWorkbench().name() == "HexConWorkbench"
+    bars = FreeCADGui.getMainWindow().findChildren(QtGui.QToolBar, "HexCon")
+    assert len(bars) == 1 and len(bars[0].actions()) == 2
+    assert all(not action.icon().isNull() for action in bars[0].actions())
+    assert not FreeCADGui.getMainWindow().findChild(QtGui.QMessageBox, "HexConMissingCore")
+    workbench = FreeCADGui.listWorkbenches()["HexConWorkbench"]
+    assert os.path.isfile(workbench.Icon) and workbench.ToolTip
+
+
+def commands_know_the_selection():
+    doc = state["doc"] = FreeCAD.newDocument("Session")
+    box, cylinder = doc.addObject("Part::Box", "Box"), doc.addObject("Part::Cylinder", "Cylinder")
+    cylinder.Radius, cylinder.Height, cylinder.Placement.Base.x = 5, 20, 30
+    doc.recompute()
+    view = FreeCADGui.ActiveDocument.ActiveView
+    view.viewIsometric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+
+    def active(name="HexCon_MeshSolid"):
+        return FreeCADGui.Command.get(name).isActive()
+
+    FreeCADGui.Selection.clearSelection()
+    assert not active() and not active("HexCon_Check")
+    for part, expected in (("", True), ("Face1", True), ("Edge1", False)):
+        select(box, part)
+        assert active() is expected, part
+    select(box)
+    FreeCADGui.Selection.addSelection(doc.Name, "Cylinder")
+    assert not active()
+    assert not active("HexCon_Check")
+
+
+def box_becomes_a_mesh():
+    doc = state["doc"]
+    select(doc.Box)
+    start_macro()
+    open_panel("HexCon_MeshSolid")
+    assert abs(find(QtGui.QAbstractSpinBox, "size").property("rawValue") - 1.5) < 1e-9
+    assert not FreeCADGui.Command.get("HexCon_MeshSolid").isActive()  # one panel at a time
+    picture("panel_open.png")
+    undos = doc.UndoCount
+    mesh(2.5)
+    wait(is_idle, "the box to be meshed")
+    picture("panel_done.png")
+    stop_macro()
+    say(words())
+    (made,) = meshes()
+    assert made.FemMesh.HexaCount == 64 == made.FemMesh.VolumeCount
+    assert len(made.FemMesh.Groups) == 6
+    assert not doc.Box.ViewObject.Visibility and made.ViewObject.Visibility
+    assert doc.UndoCount == undos + 1
+    for expected in ("96 quads", "64, first order (C3D8): 16 cap quads × 4 rings",
+                     "min 1.000, 5 % 1.000, mean 1.000", "certified: every Jacobian"):
+        assert expected in words(), expected
+    close_panel()
+
+
+def start_macro():
+    """Through the recorder's dialog, which has no call of its own."""
+    def press():
+        dialog = wait(QtGui.QApplication.activeModalWidget, "the macro recorder's dialog")
+        dialog.findChild(QtGui.QLineEdit, "lineEditMacroPath").setText(os.path.join(OUT, ""))
+        dialog.findChild(QtGui.QLineEdit, "lineEditPath").setText("recorded")
+        dialog.findChild(QtGui.QPushButton, "buttonStart").click()
+    QtCore.QTimer.singleShot(0, press)
+    FreeCADGui.runCommand("Std_DlgMacroRecord")
+
+
+def stop_macro():
+    FreeCADGui.runCommand("Std_MacroStopRecord")
+
+
+def undo_removes_it():
+    doc = state["doc"]
+    doc.undo()
+    assert not meshes()
+    assert doc.Box.ViewObject.Visibility
+    doc.redo()
+    assert len(meshes()) == 1 and meshes()[0].FemMesh.HexaCount == 64
+    doc.undo()
+
+
+def the_macro_does_it_again():
+    with open(os.path.join(OUT, "recorded.FCMacro"), encoding="utf-8") as stream:
+        text = stream.read()
+    say(text)
+    assert text.count("mesh_solid_object(") == 1 and "import hexcon.gui.actions" in text
+    exec(compile(text, "recorded.FCMacro", "exec"), {"__name__": "recorded"})
+    (made,) = meshes()
+    assert made.FemMesh.HexaCount == 64
+    state["doc"].undo()
+    assert not meshes()
+
+
+def cancel_leaves_the_document_untouched():
+    doc = state["doc"]
+    before = ([o.Name for o in doc.Objects], doc.UndoCount, doc.Cylinder.ViewObject.Visibility)
+    select(doc.Cylinder, "Face1")
+    open_panel("HexCon_MeshSolid")
+    for last_stage in ("Surface", "Hexes", "Certificate"):
+        mesh(0.4)
+        wait(lambda stage=last_stage: find(QtGui.QProgressBar, "progress").format()
+             .startswith(stage), last_stage)
+        if last_stage == "Hexes":
+            picture("panel_working.png")
+        button("cancel").click()
+        wait(is_idle, "the work to stop")
+        assert "Cancelled" in words(), words()
+    assert before == ([o.Name for o in doc.Objects], doc.UndoCount,
+                      doc.Cylinder.ViewObject.Visibility)
+    close_panel()
+
+
+def a_changed_solid_is_noticed():
+    doc = state["doc"]
+    select(doc.Cylinder)
+    open_panel("HexCon_MeshSolid")
+    mesh(0.8)
+    doc.Cylinder.Height = 21
+    doc.recompute()
+    wait(is_idle, "the cylinder to be meshed")
+    assert "changed" in words() and not meshes()
+    doc.Cylinder.Height = 20
+    doc.recompute()
+    close_panel()
+
+
+def failure_is_told_in_words():
+    doc = state["doc"]
+    doc.addObject("Part::Sphere", "Ball")
+    doc.recompute()
+    select(doc.Ball)
+    open_panel("HexCon_MeshSolid")
+    mesh(2.0, "sweep")
+    wait(is_idle, "the ball to be refused")
+    picture("panel_refused.png")
+    say(words())
+    assert "sweep" in words() and "Traceback" not in words()
+    assert not QtGui.QApplication.activeModalWidget()
+    mesh(0.0)
+    wait(is_idle, "size 0 to be refused")
+    assert "above zero" in words()
+    assert not meshes()
+    close_panel()
+    doc.removeObject("Ball")
+
+
+def second_order_mesh_is_checked():
+    doc = state["doc"]
+    select(doc.Cylinder, "Face2")
+    open_panel("HexCon_MeshSolid")
+    mesh(2.0, "sweep", 2)
+    wait(is_idle, "the cylinder to be meshed")
+    assert "second order (C3D20)" in words() and "certified:" in words()
+    picture("panel_cylinder.png")
+    close_panel()
+    (made,) = meshes()
+    assert len(made.FemMesh.getElementNodes(made.FemMesh.Volumes[0])) == 20
+    assert "certified:" in check(made)
+    state["count"] = made.FemMesh.HexaCount
+
+
+def check(mesh_object):
+    """The words of the check; the panel is open afterwards no more."""
+    select(mesh_object)
+    assert FreeCADGui.Command.get("HexCon_Check").isActive()
+    open_panel("HexCon_Check")
+    wait(words, "the check")
+    picture(f"check_{mesh_object.Name}.png")
+    told = words()
+    say(told)
+    close_panel()
+    return told
+
+
+def bad_hexes_are_marked():
+    import hexcon
+    import hexcon.gui.actions as actions
+    from hexcon.femmesh import from_femmesh
+
+    doc = state["doc"]
+    good = from_femmesh(meshes()[0].FemMesh)
+    centre = good.hexes[len(good.hexes) // 2, 0]
+    good.points[centre] += 2.5 * (good.points[good.hexes[len(good.hexes) // 2, 1]]
+                                  - good.points[centre])
+    bad = doc.addObject("Fem::FemMeshObject", "Bad")
+    bad.FemMesh = hexcon.to_femmesh(good, order=1)
+    meshes()[0].ViewObject.Visibility = False
+    told = check(bad)
+    assert "NOT certified" in told and "not positive:" in told
+    report = actions.check_mesh_object(bad)
+    assert report.nonpositive and not report.certificate.certified
+    colours = bad.ViewObject.ElementColor
+    red = {e for e in report.nonpositive if colours[e][0] > 0.85}
+    assert red == set(report.nonpositive), (colours, report.nonpositive)
+    doc.removeObject("Bad")
+    meshes()[0].ViewObject.Visibility = True
+
+
+def saved_and_reloaded():
+    path = os.path.join(OUT, "session.FCStd")
+    state["doc"].saveAs(path)
+    FreeCAD.closeDocument("Session")
+    doc = state["doc"] = FreeCAD.openDocument(path)
+    settle()
+    (made,) = meshes()
+    assert made.FemMesh.HexaCount == state["count"]
+    assert "certified:" in check(made)
+
+
+def the_panel_ends_with_its_document():
+    doc = state["doc"]
+    select(doc.Cylinder)
+    open_panel("HexCon_MeshSolid")
+    mesh(0.4)
+    wait(lambda: find(QtGui.QProgressBar, "progress").format().startswith("Hexes"), "hexes")
+    FreeCAD.closeDocument(doc.Name)
+    wait(lambda: not FreeCADGui.Control.activeDialog(), "the panel to close")
+    from hexcon.gui import panel
+    wait(lambda: not panel._working, "the work to stop")
+
+
+run(workbench_has_its_commands, commands_know_the_selection, box_becomes_a_mesh, undo_removes_it,
+    the_macro_does_it_again, cancel_leaves_the_document_untouched, a_changed_solid_is_noticed,
+    failure_is_told_in_words, second_order_mesh_is_checked, bad_hexes_are_marked,
+    saved_and_reloaded, the_panel_ends_with_its_document)

@@ -1,0 +1,335 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/** Every allocation fails once, every progress call cancels once: nothing leaks, nothing breaks. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <lbfgs.h>
+
+#include "support.h"
+
+/* ------------------------------------------------------- the minimiser's own allocations */
+
+/** Calls of the minimiser's library until one runs out of memory; 0: none does. */
+static size_t library_fails_at, library_calls;
+
+lbfgsfloatval_t *__real_lbfgs_malloc(int n);
+lbfgsfloatval_t *__wrap_lbfgs_malloc(int n);
+int __real_lbfgs(int n, lbfgsfloatval_t *x, lbfgsfloatval_t *fx, lbfgs_evaluate_t evaluate,
+                 lbfgs_progress_t progress, void *instance, lbfgs_parameter_t *parameters);
+int __wrap_lbfgs(int n, lbfgsfloatval_t *x, lbfgsfloatval_t *fx, lbfgs_evaluate_t evaluate,
+                 lbfgs_progress_t progress, void *instance, lbfgs_parameter_t *parameters);
+
+lbfgsfloatval_t *__wrap_lbfgs_malloc(int n) {
+  return ++library_calls == library_fails_at ? NULL : __real_lbfgs_malloc(n);
+}
+
+int __wrap_lbfgs(int n, lbfgsfloatval_t *x, lbfgsfloatval_t *fx, lbfgs_evaluate_t evaluate,
+                 lbfgs_progress_t progress, void *instance, lbfgs_parameter_t *parameters) {
+  if (++library_calls == library_fails_at)
+    return LBFGSERR_OUTOFMEMORY;
+  return __real_lbfgs(n, x, fx, evaluate, progress, instance, parameters);
+}
+
+/* ------------------------------------------------------------------------- the public calls */
+
+/** Surfaces and meshes the calls work on. */
+typedef struct material {
+  test_mesh swept, twisted, not_swept, torus, scrambled;
+  uint8_t *fixed;
+  double *positions;
+} material;
+
+/** One public call; what it makes is freed inside. */
+typedef hexcon_status (*public_call)(hexcon_context *context, material *m);
+
+static hexcon_status call_check(hexcon_context *context, material *m) {
+  hexcon_surface_report report;
+  return hexcon_check_surface(context, m->swept.points, m->swept.surface_point_count,
+                              m->swept.quads, m->swept.quad_count, &report);
+}
+
+static hexcon_status call_check_torus(hexcon_context *context, material *m) {
+  hexcon_surface_report report;
+  return hexcon_check_surface(context, m->torus.points, m->torus.point_count, m->torus.quads,
+                              m->torus.quad_count, &report);
+}
+
+static hexcon_status call_loops(hexcon_context *context, material *m) {
+  hexcon_loops loops;
+  memset(&loops, 0xff, sizeof loops);
+  hexcon_status status = hexcon_surface_loops(context, m->swept.quads, m->swept.quad_count, &loops);
+  if (status)
+    assert_true(!loops.offsets && !loops.quads && !loops.self_crossings);
+  hexcon_loops_free(context, &loops);
+  return status;
+}
+
+static hexcon_status call_colouring(hexcon_context *context, material *m) {
+  uint8_t colours[256];
+  return hexcon_surface_colouring(context, m->swept.quads, m->swept.quad_count,
+                                  m->swept.surface_point_count, colours);
+}
+
+static hexcon_status call_colouring_torus(hexcon_context *context, material *m) {
+  uint8_t colours[256];
+  hexcon_status status = hexcon_surface_colouring(context, m->torus.quads, m->torus.quad_count,
+                                                  m->torus.point_count, colours);
+  return status == HEXCON_NOT_BIPARTITE ? HEXCON_OK : status;
+}
+
+static hexcon_status call_quality(hexcon_context *context, material *m) {
+  double values[256];
+  return hexcon_quality(context, m->swept.points, m->swept.point_count, m->swept.hexes,
+                        m->swept.hex_count, values);
+}
+
+static hexcon_status certify(hexcon_context *context, const test_mesh *mesh) {
+  hexcon_certificate certificate;
+  memset(&certificate, 0xff, sizeof certificate);
+  hexcon_status status =
+      hexcon_certify(context, mesh->points, mesh->point_count, mesh->hexes, mesh->hex_count,
+                     mesh->quads, mesh->quad_count, &certificate);
+  if (status)
+    assert_true(!certificate.nonpositive && !certificate.doublets && !certificate.improper &&
+                !certificate.certified);
+  hexcon_certificate_free(context, &certificate);
+  return status;
+}
+
+static hexcon_status call_certify(hexcon_context *context, material *m) {
+  return certify(context, &m->swept);
+}
+
+/** With lists of bad hexes to fill. */
+static hexcon_status call_certify_bad(hexcon_context *context, material *m) {
+  test_mesh bad = test_mesh_copy(&m->scrambled);
+  memcpy(bad.hexes + 8, bad.hexes, 7 * sizeof *bad.hexes); /* all but a duplicate */
+  hexcon_status status = certify(context, &bad);
+  test_mesh_free(&bad);
+  return status;
+}
+
+static hexcon_status call_optimize(hexcon_context *context, material *m) {
+  hexcon_status status =
+      hexcon_optimize(context, m->scrambled.points, m->scrambled.point_count, m->scrambled.hexes,
+                      m->scrambled.hex_count, m->fixed, NULL, m->positions);
+  for (size_t i = 0; i < 3 * m->scrambled.point_count; i++)
+    assert_true(isfinite(m->positions[i]));
+  return status;
+}
+
+static hexcon_status mesh_of(hexcon_context *context, const test_mesh *surface, int order) {
+  hexcon_mesh *mesh = (hexcon_mesh *)context;
+  const hexcon_mesh_options options = {.order = order};
+  hexcon_status status = hexcon_mesh_surface(context, surface->points, surface->surface_point_count,
+                                             surface->quads, surface->quad_count, &options, &mesh);
+  if (status)
+    assert_null(mesh);
+  else if (order == 1)
+    assert_true(hexcon_mesh_certificate(mesh)->certified);
+  hexcon_mesh_free(context, mesh);
+  return status;
+}
+
+static hexcon_status call_mesh(hexcon_context *context, material *m) {
+  return mesh_of(context, &m->swept, 1);
+}
+
+static hexcon_status call_mesh_second_order(hexcon_context *context, material *m) {
+  return mesh_of(context, &m->swept, 2);
+}
+
+/** With levels that are no affine images, and improvement. */
+static hexcon_status call_mesh_twisted(hexcon_context *context, material *m) {
+  return mesh_of(context, &m->twisted, 1);
+}
+
+static hexcon_status call_mesh_not_swept(hexcon_context *context, material *m) {
+  hexcon_status status = mesh_of(context, &m->not_swept, 1);
+  return status == HEXCON_NOT_SWEPT ? HEXCON_OK : status;
+}
+
+static const struct {
+  const char *name;
+  public_call call;
+} calls[] = {{"check", call_check},
+             {"check torus", call_check_torus},
+             {"loops", call_loops},
+             {"colouring", call_colouring},
+             {"colouring torus", call_colouring_torus},
+             {"quality", call_quality},
+             {"certify", call_certify},
+             {"certify bad", call_certify_bad},
+             {"optimize", call_optimize},
+             {"mesh", call_mesh},
+             {"mesh second order", call_mesh_second_order},
+             {"mesh twisted", call_mesh_twisted},
+             {"mesh not swept", call_mesh_not_swept}};
+
+enum { CALL_COUNT = sizeof calls / sizeof *calls };
+
+/* --------------------------------------------------------------------------------- material */
+
+/** Sides that bend and swell, so that placement has to solve and improvement has to work. */
+static void twist(test_mesh *mesh, double height) {
+  for (size_t v = 0; v < mesh->surface_point_count; v++) {
+    double *p = mesh->points + 3 * v, t = p[2] / height, angle = 1.2 * t;
+    double x = p[0] - 1.5, y = p[1] - 1.5, swell = 1 + 0.6 * t * (1 - t) * x * x;
+    p[0] = swell * (cos(angle) * x - sin(angle) * y);
+    p[1] = sin(angle) * x + cos(angle) * y;
+  }
+}
+
+static int set_up(void **state) {
+  static material m;
+  uint64_t random = 21;
+  m.swept = make_box(3, 2, 4);
+  m.twisted = make_box(3, 3, 3);
+  twist(&m.twisted, 3);
+  m.not_swept = make_schneiders_pyramid();
+  m.torus = make_torus(3, 4);
+  m.scrambled = make_box(4, 3, 3);
+  for (size_t i = 3 * m.scrambled.surface_point_count; i < 3 * m.scrambled.point_count; i++)
+    m.scrambled.points[i] += random_between(&random, -0.8, 0.8);
+  m.fixed = calloc(m.scrambled.point_count, 1);
+  m.positions = malloc(3 * m.scrambled.point_count * sizeof *m.positions);
+  assert_true(m.fixed && m.positions);
+  memset(m.fixed, 1, m.scrambled.surface_point_count);
+  *state = &m;
+  return 0;
+}
+
+static int tear_down(void **state) {
+  material *m = *state;
+  test_mesh_free(&m->swept);
+  test_mesh_free(&m->twisted);
+  test_mesh_free(&m->not_swept);
+  test_mesh_free(&m->torus);
+  test_mesh_free(&m->scrambled);
+  free(m->fixed);
+  free(m->positions);
+  return 0;
+}
+
+/* ------------------------------------------------------------------------------------- tests */
+
+/** The k-th allocation fails, for every k until there are no more. */
+static void out_of_memory(void **state) {
+  for (int c = 0; c < CALL_COUNT; c++) {
+    size_t fail_at = 2; /* the context itself is the first */
+    for (;; fail_at++) {
+      test_memory memory = {.fail_at = fail_at};
+      hexcon_context *context = hexcon_context_new_with(test_reallocate, &memory);
+      hexcon_status status = calls[c].call(context, *state);
+      bool failed = memory.calls >= fail_at;
+      if (failed != (status == HEXCON_OUT_OF_MEMORY))
+        fail_msg("%s: allocation %zu fails, status %s", calls[c].name, fail_at,
+                 hexcon_status_name(status));
+      if (failed)
+        assert_message(context);
+      assert_int_equal(memory.live, 1);
+      hexcon_context_free(context);
+      assert_int_equal(memory.live, 0);
+      if (!failed)
+        break;
+    }
+    print_message("%-18s %3zu allocations\n", calls[c].name, fail_at - 2);
+  }
+}
+
+static void no_context(void **state) {
+  (void)state;
+  test_memory memory = {.fail_at = 1};
+  assert_null(hexcon_context_new_with(test_reallocate, &memory));
+  hexcon_context_free(NULL);
+  hexcon_context *context = hexcon_context_new();
+  hexcon_mesh_free(context, NULL);
+  hexcon_context_free(context);
+}
+
+/** The minimiser's library runs out of memory in its k-th call. */
+static void library_out_of_memory(void **state) {
+  const public_call users[] = {call_optimize, call_mesh_twisted};
+  for (int u = 0; u < 2; u++) {
+    size_t failures = 0;
+    for (library_fails_at = 1;; library_fails_at++) {
+      test_memory memory = {0};
+      hexcon_context *context = hexcon_context_new_with(test_reallocate, &memory);
+      library_calls = 0;
+      hexcon_status status = users[u](context, *state);
+      bool failed = library_calls >= library_fails_at;
+      assert_int_equal(status, failed ? HEXCON_OUT_OF_MEMORY : HEXCON_OK);
+      if (failed)
+        assert_message(context);
+      hexcon_context_free(context);
+      assert_int_equal(memory.live, 0);
+      failures += failed;
+      if (!failed)
+        break;
+    }
+    assert_true(failures > 0);
+  }
+  library_fails_at = 0;
+}
+
+typedef struct patience {
+  size_t calls, cancel_at;
+  double last;
+} patience;
+
+static bool lose_patience(void *user, const char *stage, double fraction) {
+  patience *p = user;
+  assert_true(stage && stage[0]);
+  assert_true(fraction >= 0 && fraction <= 1);
+  return ++p->calls != p->cancel_at;
+}
+
+/** The k-th call of progress cancels, for every k until there are no more. */
+static void cancellation(void **state) {
+  for (int c = 0; c < CALL_COUNT; c++) {
+    size_t cancel_at = 1;
+    for (;; cancel_at++) {
+      test_memory memory = {0};
+      patience left = {.cancel_at = cancel_at};
+      hexcon_context *context = hexcon_context_new_with(test_reallocate, &memory);
+      hexcon_context_set_progress(context, lose_patience, &left);
+      hexcon_status status = calls[c].call(context, *state);
+      bool cancelled = left.calls >= cancel_at;
+      assert_int_equal(status, cancelled ? HEXCON_CANCELLED : HEXCON_OK);
+      assert_int_equal(left.calls, cancelled ? cancel_at : left.calls); /* not asked again */
+      if (cancelled)
+        assert_message(context);
+      hexcon_context_free(context);
+      assert_int_equal(memory.live, 0);
+      if (!cancelled)
+        break;
+    }
+    print_message("%-18s %3zu calls of progress\n", calls[c].name, cancel_at - 1);
+    if (strncmp(calls[c].name, "mesh", 4) == 0 || strncmp(calls[c].name, "certify", 7) == 0)
+      assert_true(cancel_at > 1);
+  }
+}
+
+/** A cancelled optimisation has moved nothing that is fixed and is not worse. */
+static void cancelled_optimisation(void **state) {
+  material *m = *state;
+  for (size_t cancel_at = 1; cancel_at < 60; cancel_at += 7) {
+    patience left = {.cancel_at = cancel_at};
+    hexcon_context *context = hexcon_context_new();
+    hexcon_context_set_progress(context, lose_patience, &left);
+    (void)call_optimize(context, m);
+    assert_memory_equal(m->positions, m->scrambled.points,
+                        3 * m->scrambled.surface_point_count * sizeof *m->positions);
+    hexcon_context_free(context);
+  }
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(out_of_memory),          cmocka_unit_test(no_context),
+      cmocka_unit_test(library_out_of_memory),  cmocka_unit_test(cancellation),
+      cmocka_unit_test(cancelled_optimisation),
+  };
+  return cmocka_run_group_tests(tests, set_up, tear_down);
+}

@@ -1,0 +1,315 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""bin/hexcon as a user types it: every command, format and exit status."""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import zipfile
+
+import meshio
+import numpy as np
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))
+from hex_grids import block  # noqa: E402
+
+from hexcon import cli, files  # noqa: E402
+from hexcon.quads import surface_from_file  # noqa: E402
+
+PROGRAM = str(ROOT / "bin" / "hexcon")
+WEDGE, BOX = (str(ROOT / "resources" / "examples" / name) for name in ("wedge.step", "box.step"))
+MESH_ENDINGS = ("inp", "msh", "vtu", "vtk", "unv", "med")
+SURFACE_ENDINGS = ("msh", "inp", "vtk", "vtu", "obj", "mesh")
+
+
+def hexcon(*arguments, program=PROGRAM, **environment):
+    """The finished process."""
+    return subprocess.run([program, *map(str, arguments)], env=dict(os.environ, **environment),
+                          stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8",
+                          check=False)
+
+
+def facts(*arguments, status=0, **environment):
+    """What --json prints, and nothing else on standard output."""
+    done = hexcon(*arguments, "--json", **environment)
+    assert done.returncode == status, done.stderr
+    return json.loads(done.stdout)
+
+
+def surface_of(mesh):
+    """(points, quads) of a hex mesh's boundary, no other points."""
+    used, quads = np.unique(mesh.quads, return_inverse=True)
+    return mesh.points[used], quads.reshape(-1, 4)
+
+
+def turned_edge(quads):
+    """The quads with the edge between the first and a neighbour turned in their hexagon."""
+    a, b, c, d = quads[0].tolist()
+    other = next(q for q in range(1, len(quads)) if {a, b} <= set(quads[q].tolist()))
+    row = quads[other].tolist()
+    _, _, e, f = row[row.index(b):] + row[:row.index(b)]
+    turned = quads.copy()
+    turned[0], turned[other] = (c, d, a, e), (c, e, f, b)
+    return turned
+
+
+def put(path, points, quads):
+    """Write a quad surface; returns its path as text."""
+    meshio.Mesh(points, [("quad", quads)]).write(str(path))
+    return str(path)
+
+
+@pytest.fixture(scope="module")
+def wedge(tmp_path_factory):
+    """Function: path of the meshed wedge at an order, in the format of an ending."""
+    folder, made = tmp_path_factory.mktemp("wedge"), {}
+
+    def path(ending, order=1):
+        if order not in made:
+            outputs = [folder / f"{order}.{e}" for e in (*MESH_ENDINGS, "FCStd")]
+            made[order] = facts("mesh", WEDGE, "--size", 8, "--order", order,
+                                *(word for out in outputs for word in ("-o", out)))
+            assert made[order]["written"] == [str(out) for out in outputs]
+            assert made[order]["certificate"]["certified"] and made[order]["order"] == order
+        return str(folder / f"{order}.{ending}")
+    return path
+
+
+@pytest.mark.parametrize("order", [1, 2])
+@pytest.mark.parametrize("ending", MESH_ENDINGS)
+def test_a_solid_in_every_format(wedge, ending, order):
+    found = facts("check", wedge(ending, order))
+    assert found["certified"] and found["order"] == order
+    assert (found["hexes"], found["quads"]) == (64, 112)
+    assert found["quality"]["min"] == pytest.approx(0.943858, abs=1e-6)
+
+
+def test_a_document(wedge, tmp_path):
+    """Out as .FCStd, with its solid; and in again, by that solid."""
+    assert zipfile.is_zipfile(wedge("FCStd"))
+    assert facts("mesh", wedge("FCStd"), "--size", 8, "-o", tmp_path / "x.vtu")["hexes"] == 64
+
+
+def test_a_document_where_freecad_does_not_load_into_python(tmp_path):
+    """Then the command runs in freecadcmd: same answer, same status."""
+    elsewhere = {"FREECAD_LIB": str(tmp_path)}
+    out = tmp_path / "x.FCStd"
+    found = facts("mesh", WEDGE, "--size", 8, "-o", out, **elsewhere)
+    assert found["hexes"] == 64 and zipfile.is_zipfile(out)
+    fault = facts("mesh", out, "-o", tmp_path / "y.inp", status=1, **elsewhere)
+    assert fault["code"] == "BAD_OPTION" and "--size" in fault["error"]
+
+
+@pytest.mark.parametrize("ending", SURFACE_ENDINGS)
+def test_a_surface_in_every_format(tmp_path, ending):
+    points, quads = surface_of(block(3, 2, 2, (3.0, 2.0, 1.0)))
+    out = tmp_path / "out.vtu"
+    made = facts("mesh", put(tmp_path / f"s.{ending}", points, quads), "-o", out)
+    assert made["hexes"] == 12 and made["certificate"]["certified"]
+    assert np.array_equal(files.read_mesh(out).points[:len(points)], points)
+
+
+def test_a_surface_in_unv_and_words_for_people(wedge, tmp_path):
+    done = hexcon("mesh", wedge("unv"), "-o", tmp_path / "out.inp", "--method", "swept")
+    assert done.returncode == 0 and not done.stderr
+    for word in ("112 quads", "64 hexes", "16 cap quads x 4 rings", "scaled Jacobian min 0.9439",
+                 "every Jacobian proved positive", f"written       {tmp_path / 'out.inp'}"):
+        assert word in done.stdout
+
+
+@pytest.mark.parametrize("arguments", [
+    (), ("bake", WEDGE), ("mesh", WEDGE), ("mesh", WEDGE, "-o", "x.inp", "--size", "big"),
+    ("mesh", WEDGE, "-o", "x.inp", "--order", "3"), ("mesh", WEDGE, "-o", "x.inp", "--method", "x"),
+    ("check",), ("info", "a", "b"), ("solve", "m.inp"),
+    ("solve", "m.inp", "--fixed", "Face1", "--force", "Face2=1,2"),
+    ("solve", "m.inp", "--fixed", "Face1", "--force", "Face2=0,0,nan"),
+    ("solve", "m.inp", "--fixed", "Face1", "--pressure", "Face2"),
+    ("solve", "m.inp", "--fixed", "Face1", "--pressure", "Face2=inf")])
+def test_wrong_usage(arguments):
+    done = hexcon(*arguments)
+    assert done.returncode == 2 and "usage" in done.stderr and not done.stdout
+
+
+def test_help_tells_the_exit_status():
+    for command in ("mesh", "check", "info", "solve"):
+        done = hexcon(command, "--help")
+        assert done.returncode == 0 and "3 check: not" in done.stdout
+
+
+FAULTS = {
+    "no file": (("mesh", "none.step", "--size", 1, "-o", "x.inp"), "FILE_IO"),
+    "no surface": (("info", "none.obj"), "FILE_IO"),
+    "no mesh": (("check", "none.inp"), "FILE_IO"),
+    "no CAD": (("mesh", "garbage.step", "--size", 1, "-o", "x.inp"), "FILE_FORMAT"),
+    "no such input": (("mesh", "part.iges", "--size", 1, "-o", "x.inp"), "FILE_IO"),
+    "no size": (("mesh", WEDGE, "-o", "x.inp"), "BAD_OPTION"),
+    "size below zero": (("mesh", WEDGE, "--size", -1, "-o", "x.inp"), "BAD_OPTION"),
+    "ending": (("mesh", "none.step", "-o", "x.xyz"), "FILE_FORMAT"),
+    "second ending": (("mesh", "none.step", "-o", "x.inp", "-o", "x"), "FILE_FORMAT"),
+    "ending of results": (("solve", "none.inp", "--fixed", 1, "-o", "x.inp"), "FILE_FORMAT"),
+    "folder": (("mesh", "none.step", "-o", "none/x.inp"), "FILE_IO"),
+    "over the input": (("mesh", "box.vtu", "-o", "./box.vtu"), "BAD_OPTION"),
+    "no such face": (("solve", "box.vtu", "--fixed", "Face9"), "BAD_OPTION"),
+    "no face": (("solve", "box.vtu", "--fixed", "top"), "BAD_OPTION"),
+    "two forces": (("solve", "box.vtu", "--fixed", 1, "--force", "Face2=0,0,1", "--force",
+                    "face2=0,1,0"), "BAD_OPTION"),
+    "material": (("solve", "box.vtu", "--fixed", 1, "--young", -5), "BAD_OPTION"),
+    "not hexes": (("check", "quads.obj"), "FILE_FORMAT"),
+    "other surface": (("check", "box.vtu", "--surface", "quads.obj"), "FILE_FORMAT"),
+    "odd": (("mesh", "odd.obj", "-o", "x.inp"), "ODD_SURFACE"),
+}
+
+
+@pytest.fixture(scope="module")
+def things(tmp_path_factory):
+    """A folder with a mesh, surfaces and rubbish, for FAULTS."""
+    folder = tmp_path_factory.mktemp("things")
+    (folder / "garbage.step").write_text("no CAD at all\n")
+    files.write(block(2, 1, 1), folder / "box.vtu")
+    put(folder / "quads.obj", *surface_of(block(1, 1, 1, (1.0, 1.0, 3.0))))
+    put(folder / "odd.obj", *odd_surface())
+    return folder
+
+
+def odd_surface():
+    """A cube with one quad cut in two by a path from corner to corner."""
+    points, quads = surface_of(block(1, 1, 1))
+    (a, b, c, d), rest = quads[0].tolist(), quads[1:].tolist()
+    middle = points[[a, c, d]].mean(axis=0) * 1.1 - 0.05
+    return np.vstack([points, middle]), np.array([(a, b, c, 8), (a, 8, c, d), *rest])
+
+
+@pytest.mark.parametrize("name", FAULTS)
+def test_fault(things, name, monkeypatch):
+    """Status 1, code and words in both voices; nothing is left. Wrong endings and folders are
+    told before the input is even looked for."""
+    arguments, code = FAULTS[name]
+    before = sorted(things.iterdir())
+    monkeypatch.chdir(things)
+    told = facts(*arguments, status=1)
+    assert told["code"] == code and told["error"]
+    done = hexcon(*arguments)
+    assert done.returncode == 1 and not done.stdout
+    assert done.stderr.startswith("hexcon: ") and f"[{code}]" in done.stderr
+    assert "Traceback" not in done.stderr
+    assert sorted(things.iterdir()) == before
+
+
+def test_output_that_cannot_be_written_leaves_nothing(tmp_path):
+    (tmp_path / "x.inp").mkdir()
+    told = facts("mesh", WEDGE, "--size", 8, "-o", tmp_path / "x.inp", status=1)
+    assert told["code"] == "FILE_IO" and "x.inp" in told["error"]
+    assert [p.name for p in tmp_path.rglob("*")] == ["x.inp"]
+
+
+def test_interrupt(monkeypatch, capsys):
+    def interrupted(*_):
+        raise KeyboardInterrupt
+    monkeypatch.setattr(cli.commands, "read_mesh", interrupted)
+    assert cli.main(["check", "x.inp"]) == 130
+    assert "interrupted" in capsys.readouterr().err
+
+
+def test_check_against_a_surface_numbered_otherwise(wedge, tmp_path):
+    rng, surface = np.random.default_rng(4), surface_from_file(wedge("vtu"))
+    number = rng.permutation(len(surface.points))
+    points, quads = np.empty_like(surface.points), number[surface.quads]
+    points[number] = surface.points
+    for ending in SURFACE_ENDINGS:
+        path = put(tmp_path / f"s.{ending}", points, rng.permutation(quads))
+        assert facts("check", wedge("inp"), "--surface", path)["certified"]
+    points[7] += 0.01
+    told = facts("check", wedge("inp"), "--surface", put(tmp_path / "moved.vtk", points, quads),
+                 status=1)
+    assert told["code"] == "FILE_FORMAT" and told["elements"] == [7]
+
+
+def test_check_against_the_same_points_in_other_quads(tmp_path):
+    mesh = block(2, 2, 2)
+    files.write(mesh, tmp_path / "m.inp")
+    points, quads = surface_of(mesh)
+    path = put(tmp_path / "s.vtu", points, turned_edge(quads))
+    found = facts("check", tmp_path / "m.inp", "--surface", path, status=3)
+    assert not found["certificate"]["boundary_exact"] and not found["certified"]
+    assert "boundary exact False" in hexcon("check", tmp_path / "m.inp", "--surface", path).stdout
+
+
+@pytest.mark.parametrize("order", [1, 2])
+def test_check_names_the_inverted_hex(tmp_path, order):
+    mesh = block(3, 1, 1)
+    mesh.hexes[1] = mesh.hexes[1, [4, 5, 6, 7, 0, 1, 2, 3]]
+    files.write(mesh, tmp_path / "m.vtu", order=order)
+    found = facts("check", tmp_path / "m.vtu", status=3)
+    assert found["certificate"]["nonpositive"] == [1] and found["quality"]["min"] == -1.0
+    done = hexcon("check", tmp_path / "m.vtu")
+    assert done.returncode == 3 and "NOT certified" in done.stdout
+    assert "not positive  hexes 1\n" in done.stdout + "\n"
+
+
+def test_check_does_not_prove_curved_hexes(tmp_path):
+    from hexcon.femmesh import elements_of
+    curved = elements_of(block(3, 1, 1), 2)
+    curved.points[curved.hexes[2, 9]] += (0.0, 0.0, 0.03)  # an edge of the third hex alone
+    files.write(curved, tmp_path / "m.msh")
+    found = facts("check", tmp_path / "m.msh", status=3)
+    assert found["curved"] == [2] and not found["certified"]
+    done = hexcon("check", tmp_path / "m.msh")
+    assert "curved        hexes 2" in done.stdout and "straight: the proof" not in done.stdout
+
+
+def test_info(tmp_path):
+    points, quads = surface_of(block(2, 2, 2))
+    found = facts("info", put(tmp_path / "s.obj", points, quads))
+    assert (found["n"], found["points"], found["genus"], found["components"]) == (24, 26, 0, 1)
+    assert found["even"] and found["bipartite"] and found["convex"]
+    assert found["volume"] == pytest.approx(1.0)
+    assert found["loops"] == {"count": 6, "lengths": [8] * 6, "self_crossings": [0] * 6}
+    crossing = put(tmp_path / "crossing.obj", points, turned_edge(quads))
+    found = facts("info", crossing)
+    assert found["loops"]["self_crossings"].count(0) == len(found["loops"]["self_crossings"]) - 1
+    assert "1 of them cross themselves (1 crossings)" in hexcon("info", crossing).stdout
+    told = facts("mesh", crossing, "-o", tmp_path / "x.inp", status=1)
+    assert told["code"] == "NOT_SWEPT" and told["elements"]
+
+
+def test_info_names_an_odd_surface(things):
+    done = hexcon("info", things / "odd.obj")
+    assert "odd" in (done.stdout + done.stderr).lower() and "7" in done.stdout + done.stderr
+
+
+def test_solve_a_mesh_file(tmp_path):
+    """The cantilever of 100 x 10 x 10 mm, 100 N, order 2: 0.192 mm by Timoshenko."""
+    mesh = str(tmp_path / "box.inp")
+    facts("mesh", BOX, "--size", 5, "--order", 2, "-o", mesh)
+    outputs = [tmp_path / "r.vtu", tmp_path / "r.vtk", tmp_path / "r.png"]
+    found = facts("solve", mesh, "--fixed", "Face1", "--force", "Face2=0,0,-100",
+                  *(word for out in outputs for word in ("-o", out)))
+    assert found["max_displacement"] == pytest.approx(0.192, rel=0.015)
+    assert found["written"] == [str(out) for out in outputs] and found["order"] == 2
+    for path in outputs[:2]:
+        read = meshio.read(path)
+        length = np.linalg.norm(read.point_data["displacement"], axis=1)
+        assert length.max() == pytest.approx(found["max_displacement"])
+        assert read.point_data["von_mises"].max() == pytest.approx(found["max_von_mises"])
+    assert outputs[2].read_bytes().startswith(b"\x89PNG") and outputs[2].stat().st_size > 10000
+
+
+def test_solve_a_solid(tmp_path):
+    """A bar under end pressure 21 MPa, fixed at the other end: about p L / E longer or shorter."""
+    done = hexcon("solve", BOX, "--size", 5, "--fixed", "face1", "--pressure", "2=-21", "--poisson",
+                  0, "-o", tmp_path / "r.vtu")
+    assert done.returncode == 0, done.stderr
+    assert "deflection    0.01 mm at most" in done.stdout and "certificate" in done.stdout
+    moved = meshio.read(tmp_path / "r.vtu").point_data["displacement"]
+    assert moved[:, 0].max() == pytest.approx(0.01, rel=1e-6)
+
+
+def test_a_link_on_the_path_and_the_module(tmp_path):
+    (tmp_path / "hexcon").symlink_to(PROGRAM)
+    surface = put(tmp_path / "s.obj", *surface_of(block(1, 1, 1)))
+    assert hexcon("info", surface, program=str(tmp_path / "hexcon")).returncode == 0
+    path = os.pathsep.join([str(ROOT), str(ROOT / "workbench")])
+    done = hexcon("-m", "hexcon", "info", surface, program=sys.executable, PYTHONPATH=path)
+    assert "6 quads (even)" in done.stdout

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Everything the window does, as calls that a macro or a batch script can make.
+
+    import hexcon.gui.actions
+    mesh = hexcon.gui.actions.mesh_solid_object(FreeCAD.ActiveDocument.Box, 2.5, order=2)
+    print(hexcon.gui.actions.check_mesh_object(mesh))
+"""
+import math
+from contextlib import contextmanager
+from dataclasses import dataclass
+from types import SimpleNamespace
+
+import numpy as np
+
+import hexcon_native
+from hexcon import freecad_compat
+from hexcon.errors import FaultCode, ToolError
+from hexcon.femmesh import elements_of, from_femmesh, to_femmesh
+from hexcon.femmesh.document import insert
+from hexcon.femmesh.hexahedron import EDGES
+from hexcon.meshing import mesh_solid
+
+from . import words
+
+TIMEOUT = 3600.0  # seconds for gmsh: in the window the user stops it, not the clock
+RED = (0.9, 0.1, 0.1)
+_NICE = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
+
+# What a panel's worker has just computed for the very call that puts it into the document.
+_prepared = {}
+
+
+@contextmanager
+def prepared(result):
+    """Inside, the next action takes this result instead of computing it.
+
+    So the panels work in a thread, and what lands in the macro recorder is still the whole call.
+    """
+    _prepared["result"] = result
+    try:
+        yield
+    finally:
+        _prepared.clear()
+
+
+# ------------------------------------------------------------------------------------------- mesh
+
+def solid_shape(solid_object):
+    """A copy of the object's shape that another thread may use. Raises ToolError(BAD_SHAPE)."""
+    shape = getattr(solid_object, "Shape", None)
+    count = len(getattr(shape, "Solids", ()))
+    if count != 1:
+        raise ToolError(f"{getattr(solid_object, 'Label', solid_object)} holds {count} solids; "
+                        "exactly one is needed", FaultCode.BAD_SHAPE)
+    return shape.copy()
+
+
+def default_size(shape):
+    """A tenth of the bounding box's diagonal, rounded to a handy figure, in mm."""
+    tenth = shape.BoundBox.DiagonalLength / 10.0
+    if not (math.isfinite(tenth) and tenth > 0.0):
+        return 1.0
+    power = math.floor(math.log10(tenth))
+    return min((float(f"{n}e{power}") for n in _NICE), key=lambda size: abs(size - tenth))
+
+
+def mesh_solid_object(solid_object, size, *, surface_method="auto", order=1, timeout=TIMEOUT):
+    """Mesh the one solid of a document object with hexes; returns the new FEM mesh object.
+
+    solid_object    a document object whose Shape holds exactly one solid
+    size            wanted edge length, mm
+    surface_method  hexcon.quads.METHODS
+    order           1 (C3D8) or 2 (C3D20)
+    timeout         seconds for gmsh
+    One undo step; the solid is hidden, as the mesh covers it. Raises HexconError, the document
+    untouched: those of hexcon.meshing.mesh_solid and femmesh.add_to_document.
+    """
+    mesh = _prepared.pop("result", None) or mesh_solid(
+        solid_shape(solid_object), size, surface_method=surface_method, order=order,
+        timeout=timeout)
+    return insert_mesh(mesh, solid_object)
+
+
+def insert_mesh(mesh, solid_object):
+    """femmesh.add_to_document, and the solid hidden in the same undo step."""
+    document = solid_object.Document
+    femmesh = to_femmesh(mesh)  # may fail: before the document is touched
+    with freecad_compat.transaction(document, "Hex mesh"):
+        mesh_object = insert(document, femmesh, solid_object, "HexMesh")
+        if getattr(solid_object, "ViewObject", None) is not None:
+            solid_object.ViewObject.Visibility = False
+    return mesh_object
+
+
+# ------------------------------------------------------------------------------------------ check
+
+@dataclass
+class CheckReport:
+    """What is known of a FEM mesh of hexes; str() says it in words.
+
+    counts           namespace: points, hexes, quads, order
+    certificate      hexcon_native.Certificate (row numbers)
+    quality          hexcon_native.Quality
+    nonpositive      FreeCAD's element numbers of the hexes not proved positive
+    surface_known    the boundary was compared with the quads kept in the mesh's face groups
+    straight         every middle node is the middle of its edge (True at order 1): the
+                     certificate holds for the elements as they are
+    """
+
+    counts: SimpleNamespace
+    certificate: hexcon_native.Certificate
+    quality: hexcon_native.Quality
+    nonpositive: list
+    surface_known: bool
+    straight: bool
+
+    def __str__(self):
+        return words.as_text(words.of_check(self))
+
+
+def check_mesh_object(mesh_object):
+    """Certify a FEM mesh object made of hexes; returns a CheckReport.
+
+    Changes nothing. Raises HexconError: ToolError(BAD_MESH) for other elements, and those of
+    hexcon_native.certify.
+    """
+    return _prepared.pop("result", None) or check_mesh(read_mesh_object(mesh_object))
+
+
+def read_mesh_object(mesh_object):
+    """The arrays of a FEM mesh object, for check_mesh. See femmesh.from_femmesh."""
+    return from_femmesh(mesh_object.FemMesh)
+
+
+def check_mesh(found, progress=None):
+    """CheckReport of what read_mesh_object gave; needs no FreeCAD, so any thread may call it."""
+    own = elements_of(SimpleNamespace(points=found.points, hexes=found.hexes))
+    # face groups that cover the boundary are the surface the mesh was made for; fewer of them
+    # are somebody's selection and say nothing of the rest
+    known = found.quads is not None and len(found.quads) == len(own.quads)
+    quads = np.asarray(found.quads if known else own.quads)[:, :4]
+    certificate = hexcon_native.certify(found.points, found.hexes, quads, progress=progress)
+    return CheckReport(
+        SimpleNamespace(points=len(found.points), hexes=len(found.hexes), quads=len(own.quads),
+                        order=found.order),
+        certificate, hexcon_native.quality(found.points, found.hexes),
+        np.asarray(found.hex_ids)[certificate.nonpositive].tolist(), known, _is_straight(found))
+
+
+def _is_straight(found):
+    if found.order == 1:
+        return True
+    ends = found.points[found.hexes[:, EDGES]]
+    off = found.points[found.hexes[:, 8:]] - ends.mean(axis=2)
+    lengths = np.linalg.norm(ends[:, :, 1] - ends[:, :, 0], axis=2)
+    return bool((np.linalg.norm(off, axis=2) <= 1e-9 * lengths).all())
+
+
+def mark_hexes(mesh_object, elements):
+    """Colour these elements (FreeCAD's numbers) red and mark their nodes; none: as before.
+
+    Needs FreeCAD's window. The nodes show hexes that lie inside, where no face is drawn.
+    """
+    view = mesh_object.ViewObject
+    nodes = {n for e in elements for n in mesh_object.FemMesh.getElementNodes(e)}
+    view.ElementColor = {e: RED for e in elements}
+    view.HighlightedNodes = sorted(nodes)

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel of "Certify hex mesh"."""
+import os
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtGui
+
+from hexcon_native import HexconError
+
+from . import actions, words
+from .commands import ROOT
+from .panel import Panel
+
+translate = FreeCAD.Qt.translate
+
+
+class CheckPanel(Panel):
+    """Works as soon as it opens; then the words, and the hexes that are not positive in red."""
+
+    def __init__(self, mesh_object):
+        super().__init__(mesh_object, translate("HexCon", "Certify hex mesh"),
+                         os.path.join(ROOT, "resources", "icons", "HexCon_Check.svg"))
+        self._nonpositive = []
+        try:
+            found = actions.read_mesh_object(mesh_object)
+        except HexconError as fault:
+            self.show_fault(fault)
+        else:
+            self.begin(lambda progress: actions.check_mesh(found, progress))
+
+    def fill(self, layout):
+        self.name = QtGui.QLabel(self.about().Label)
+        self.mark = QtGui.QCheckBox(translate("HexCon", "Mark hexes that are not positive"))
+        self.mark.setObjectName("mark")
+        self.mark.setChecked(True)
+        self.mark.hide()
+        self.mark.toggled.connect(self.on_mark)
+        layout.addWidget(self.name)
+        layout.addWidget(self.mark)
+
+    def on_mark(self, wanted):
+        """Colour the hexes, or take the colour away."""
+        mesh_object = self.about()
+        if mesh_object is not None:
+            actions.mark_hexes(mesh_object, self._nonpositive if wanted else [])
+
+    def succeed(self, result):
+        """Record the call, show what it says."""
+        FreeCADGui.addModule("hexcon.gui.actions")
+        with actions.prepared(result):
+            FreeCADGui.doCommand(
+                f"print(hexcon.gui.actions.check_mesh_object({self.reference()}))")
+        self._nonpositive = result.nonpositive
+        self.mark.setVisible(bool(self._nonpositive))
+        self.on_mark(self.mark.isChecked())
+        return words.of_check(result)

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the task panels share: progress, words, cancel, and an end with their object."""
+from html import escape
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from hexcon_native import ErrorCode
+
+from . import words
+from .work import Work, in_words
+
+translate = FreeCAD.Qt.translate
+STEPS = 1000  # of the progress bar
+
+# Panels whose work has not ended: a closed one lives until its thread is gone.
+_working = set()
+
+
+class Panel:
+    """A FreeCAD task panel about one document object.
+
+    form holds, below what fill() adds: progress (bar), cancel (button), result (label).
+    """
+
+    def __init__(self, about, title, icon):
+        self.document_name, self.object_name = about.Document.Name, about.Name
+        self._work = None
+        self._open = True
+        self.form = QtGui.QWidget()
+        self.form.setObjectName("HexConPanel")
+        self.form.setWindowTitle(title)
+        self.form.setWindowIcon(QtGui.QIcon(icon))
+        layout = QtGui.QVBoxLayout(self.form)
+        self.fill(layout)
+        self._add_progress(layout)
+        FreeCAD.addDocumentObserver(self)
+
+    def fill(self, layout):
+        """Add the panel's own widgets above the progress bar."""
+
+    def _add_progress(self, layout):
+        self.progress = QtGui.QProgressBar()
+        self.progress.setObjectName("progress")
+        self.progress.setRange(0, STEPS)
+        self.cancel = QtGui.QPushButton(translate("HexCon", "Cancel"))
+        self.cancel.setObjectName("cancel")
+        self.cancel.clicked.connect(self.on_cancel)
+        self.running = QtGui.QWidget()
+        row = QtGui.QHBoxLayout(self.running)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.addWidget(self.progress, 1)
+        row.addWidget(self.cancel)
+        self.running.hide()
+        self.result = QtGui.QLabel()
+        self.result.setObjectName("result")
+        self.result.setWordWrap(True)
+        self.result.setTextFormat(QtCore.Qt.RichText)
+        self.result.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        layout.addWidget(self.running)
+        layout.addWidget(self.result)
+
+    # ----------------------------------------------------------------------------------- the work
+
+    def about(self):
+        """The document object, or None if it is gone."""
+        if self.document_name not in FreeCAD.listDocuments():
+            return None
+        return FreeCAD.getDocument(self.document_name).getObject(self.object_name)
+
+    def reference(self):
+        """The object as a Python expression, for macros."""
+        active = FreeCAD.ActiveDocument
+        if active is not None and active.Name == self.document_name:
+            document = "FreeCAD.ActiveDocument"  # such a macro is good for other documents too
+        else:
+            document = f"FreeCAD.getDocument({self.document_name!r})"
+        return f"{document}.getObject({self.object_name!r})"
+
+    def is_working(self):
+        return self._work is not None
+
+    def begin(self, job):
+        """Run job(progress) in a thread; succeed(result) or words of the fault follow."""
+        self.result.clear()
+        self._show_stage("start", 0.0)
+        self._set_running(True)
+        _working.add(self)
+        self._work = Work(job, self._show_stage, self._end)
+        self._work.start()
+
+    def succeed(self, result):
+        """The work is done, in the window's thread; returns rows of words."""
+        raise NotImplementedError
+
+    def on_cancel(self):
+        if self._work is not None:
+            self.cancel.setEnabled(False)
+            self.progress.setFormat(translate("HexCon", "Stopping"))
+            self._work.cancel()
+
+    def _end(self, result, fault):
+        self._work = None
+        _working.discard(self)
+        if not self._open:
+            return  # the form is FreeCAD's to delete, and gone
+        self._set_running(False)
+        rows = []
+        if fault is None:
+            try:
+                rows = self.succeed(result)
+            except Exception as error:
+                fault = in_words(error)
+        if fault is None:
+            self.result.setText(words.as_table(rows))
+        else:
+            self.show_fault(fault)
+
+    def show_fault(self, fault):
+        """The words of a HexconError, in the panel and in the report view."""
+        if fault.code == ErrorCode.CANCELLED:
+            message, colour = translate("HexCon", "Cancelled. The document is unchanged."), ""
+        else:
+            message, colour = str(fault), " style='color:#b00020'"
+            FreeCAD.Console.PrintWarning(f"HexCon: {message}\n")
+        self.result.setText(f"<p{colour}>{escape(message)}</p>")
+
+    def _show_stage(self, stage, fraction):
+        if self._open and self.cancel.isEnabled():
+            self.progress.setValue(int(STEPS * min(max(fraction, 0.0), 1.0)))
+            self.progress.setFormat(words.stage(stage))
+
+    def _set_running(self, running):
+        self.running.setVisible(running)
+        self.cancel.setEnabled(running)
+
+    # ---------------------------------------------------------------------------------- the dialog
+
+    def getStandardButtons(self):
+        return int(QtGui.QDialogButtonBox.Close)
+
+    def isAllowedAlterDocument(self):
+        return True
+
+    def isAllowedAlterView(self):
+        return True
+
+    def isAllowedAlterSelection(self):
+        return True
+
+    def reject(self):
+        """Close was pressed: stop the work and go."""
+        self.close()
+        return True
+
+    def close(self):
+        if not self._open:
+            return
+        self._open = False
+        FreeCAD.removeDocumentObserver(self)
+        if self._work is not None:
+            self._work.cancel()
+        FreeCADGui.Control.closeDialog()
+
+    # FreeCAD's document observer: the panel ends with what it is about
+    def slotDeletedDocument(self, document):
+        if document.Name == self.document_name:
+            QtCore.QTimer.singleShot(0, self.close)
+
+    def slotDeletedObject(self, gone):
+        if gone.Name == self.object_name and gone.Document.Name == self.document_name:
+            QtCore.QTimer.singleShot(0, self.close)
