@@ -18,6 +18,7 @@ native = $(wildcard hexcon_native/src/*/*.c)
 .PHONY: run test build bench setup-run setup-test lint native-test python-test clean
 
 run: setup-run build
+	@command -v $(FREECADCMD) >/dev/null || { echo "HexCon: there is no $(FREECADCMD); set FREECADCMD to FreeCAD's command line program" >&2; exit 1; }
 	@echo "HexCon: $$(command -v $(FREECADCMD)), Python $(python)"
 	@PYTHONPATH=.:workbench HEXCON_GMSH_PYTHON=$(python) $(FREECADCMD) resources/examples/run_bracket.py </dev/null
 

@@ -5,53 +5,10 @@ import os
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
-from session import OUT, find, picture, run, say, settle, wait
+from session import (OUT, button, close_panel, find, gmsh_runs, held_at, is_idle, mesh,
+                     open_panel, picture, run, say, select, settle, wait, words)
 
 state = {}
-
-
-def select(solid, face=""):
-    FreeCADGui.Selection.clearSelection()
-    FreeCADGui.Selection.addSelection(solid.Document.Name, solid.Name, face)
-
-
-def words():
-    label = find(QtGui.QLabel, "result")
-    text = QtGui.QTextDocument()
-    text.setHtml(label.text())
-    return text.toPlainText().replace("\u00a0", " ")
-
-
-def button(name):
-    return find(QtGui.QPushButton, name)
-
-
-def open_panel(command):
-    FreeCADGui.runCommand(command)
-    wait(lambda: find(QtGui.QLabel, "result"), f"the panel of {command}")
-
-
-def close_panel():
-    box = wait(lambda: FreeCADGui.getMainWindow().findChild(
-        QtGui.QDialogButtonBox), "the panel's buttons")
-    box.button(QtGui.QDialogButtonBox.Close).click()
-    wait(lambda: not FreeCADGui.Control.activeDialog(), "the panel to close")
-
-
-def is_idle():
-    return button("mesh").isEnabled() and words()
-
-
-def choose(name, data):
-    box = find(QtGui.QComboBox, name)
-    box.setCurrentIndex(box.findData(data))
-
-
-def mesh(size, method="auto", order=1):
-    find(QtGui.QAbstractSpinBox, "size").setProperty("rawValue", size)
-    choose("surface_method", method)
-    choose("order", order)
-    button("mesh").click()
 
 
 def meshes():
@@ -113,7 +70,7 @@ def box_becomes_a_mesh():
     assert len(made.FemMesh.Groups) == 6
     assert not doc.Box.ViewObject.Visibility and made.ViewObject.Visibility
     assert doc.UndoCount == undos + 1
-    for expected in ("96 quads", "64, first order (C3D8): 16 cap quads × 4 rings",
+    for expected in ("96 quads", "64, first order (C3D8)", "16 cap quads × 4 rings",
                      "min 1.000, 5 % 1.000, mean 1.000", "certified: every Jacobian"):
         assert expected in words(), expected
     close_panel()
@@ -156,22 +113,39 @@ def the_macro_does_it_again():
     assert not meshes()
 
 
-def cancel_leaves_the_document_untouched():
+def untouched():
     doc = state["doc"]
-    before = ([o.Name for o in doc.Objects], doc.UndoCount, doc.Cylinder.ViewObject.Visibility)
-    select(doc.Cylinder, "Face1")
+    return [o.Name for o in doc.Objects], doc.UndoCount, doc.Cylinder.ViewObject.Visibility
+
+
+def cancel_stops_gmsh():
+    before = untouched()
+    select(state["doc"].Cylinder, "Face1")
     open_panel("HexCon_MeshSolid")
-    for last_stage in ("Surface", "Hexes", "Certificate"):
-        mesh(0.4)
-        wait(lambda stage=last_stage: find(QtGui.QProgressBar, "progress").format()
-             .startswith(stage), last_stage)
-        if last_stage == "Hexes":
-            picture("panel_working.png")
+    mesh(0.1)  # a million hexes
+    wait(gmsh_runs, "gmsh")
+    button("cancel").click()
+    wait(is_idle, "the work to stop")
+    assert "Cancelled" in words(), words()
+    assert not gmsh_runs() and before == untouched()
+    close_panel()
+
+
+def cancel_half_way_leaves_the_document_untouched():
+    before = untouched()
+    select(state["doc"].Cylinder, "Face1")
+    open_panel("HexCon_MeshSolid")
+    with held_at("placement") as (reached, go_on):
+        mesh(0.8)
+        wait(reached.is_set, "points to be placed")
+        wait(lambda: "placing" in find(QtGui.QProgressBar, "progress").format(), "the stage")
+        assert find(QtGui.QProgressBar, "progress").value() > 400
+        picture("panel_working.png")
         button("cancel").click()
+        go_on.set()
         wait(is_idle, "the work to stop")
-        assert "Cancelled" in words(), words()
-    assert before == ([o.Name for o in doc.Objects], doc.UndoCount,
-                      doc.Cylinder.ViewObject.Visibility)
+    assert "Cancelled" in words(), words()
+    assert before == untouched()
     close_panel()
 
 
@@ -179,10 +153,13 @@ def a_changed_solid_is_noticed():
     doc = state["doc"]
     select(doc.Cylinder)
     open_panel("HexCon_MeshSolid")
-    mesh(0.8)
-    doc.Cylinder.Height = 21
-    doc.recompute()
-    wait(is_idle, "the cylinder to be meshed")
+    with held_at("placement") as (reached, go_on):
+        mesh(0.8)
+        wait(reached.is_set, "points to be placed")
+        doc.Cylinder.Height = 21
+        doc.recompute()
+        go_on.set()
+        wait(is_idle, "the cylinder to be meshed")
     assert "changed" in words() and not meshes()
     doc.Cylinder.Height = 20
     doc.recompute()
@@ -199,7 +176,7 @@ def failure_is_told_in_words():
     wait(is_idle, "the ball to be refused")
     picture("panel_refused.png")
     say(words())
-    assert "sweep" in words() and "Traceback" not in words()
+    assert "No mesh: no pair of cap faces" in words()
     assert not QtGui.QApplication.activeModalWidget()
     mesh(0.0)
     wait(is_idle, "size 0 to be refused")
@@ -237,6 +214,17 @@ def check(mesh_object):
     return told
 
 
+def red_pixels():
+    """How many pixels of the 3D view are more red than anything FreeCAD draws there itself."""
+    path = os.path.join(OUT, "view.png")
+    FreeCADGui.ActiveDocument.ActiveView.fitAll()
+    settle()
+    FreeCADGui.ActiveDocument.ActiveView.saveImage(path, 400, 300, "White")
+    picture = QtGui.QImage(path)
+    colours = (QtGui.QColor(picture.pixel(x, y)) for x in range(400) for y in range(300))
+    return sum(c.red() > 150 and c.green() < 80 and c.blue() < 80 for c in colours)
+
+
 def bad_hexes_are_marked():
     import hexcon
     import hexcon.gui.actions as actions
@@ -248,17 +236,59 @@ def bad_hexes_are_marked():
     good.points[centre] += 2.5 * (good.points[good.hexes[len(good.hexes) // 2, 1]]
                                   - good.points[centre])
     bad = doc.addObject("Fem::FemMeshObject", "Bad")
-    bad.FemMesh = hexcon.to_femmesh(good, order=1)
+    bad.FemMesh = hexcon.to_femmesh(good)  # the middle nodes stayed
     meshes()[0].ViewObject.Visibility = False
     told = check(bad)
-    assert "NOT certified" in told and "not positive:" in told
+    assert "NOT certified" in told and "not positive:" in told and "curved" in told
     report = actions.check_mesh_object(bad)
     assert report.nonpositive and not report.certificate.certified
-    colours = bad.ViewObject.ElementColor
-    red = {e for e in report.nonpositive if colours[e][0] > 0.85}
-    assert red == set(report.nonpositive), (colours, report.nonpositive)
+    assert red_pixels() > 100
+    actions.mark_hexes(bad, [])
+    assert red_pixels() == 0
+    select(bad)
+    open_panel("HexCon_Check")
+    wait(words, "the check")
+    assert red_pixels() > 100
+    find(QtGui.QCheckBox, "mark").click()
+    assert red_pixels() == 0
+    close_panel()
     doc.removeObject("Bad")
     meshes()[0].ViewObject.Visibility = True
+
+
+def nothing_more_is_claimed_than_proved():
+    """A mesh without face groups has no surface to compare its boundary with."""
+    from types import SimpleNamespace
+
+    import hexcon
+    from hexcon.femmesh import from_femmesh
+
+    doc = state["doc"]
+    found = from_femmesh(meshes()[0].FemMesh)
+    plain = doc.addObject("Fem::FemMeshObject", "Plain")
+    plain.FemMesh = hexcon.to_femmesh(SimpleNamespace(points=found.points, hexes=found.hexes))
+    told = check(plain)
+    assert "every Jacobian is proved positive, the mesh is proper" in told
+    assert "certified" not in told and "boundary exact" not in told
+    doc.removeObject("Plain")
+
+
+def a_body_is_meshed_as_a_whole():
+    """Its faces belong to its last feature; the mesh belongs to the body."""
+    doc = state["doc"]
+    body = doc.addObject("PartDesign::Body", "Body")
+    block = body.newObject("PartDesign::AdditiveBox", "Block")
+    doc.recompute()
+    select(block, "Face1")
+    open_panel("HexCon_MeshSolid")
+    mesh(5.0)
+    wait(is_idle, "the body to be meshed")
+    assert "certified:" in words()
+    close_panel()
+    from hexcon.freecad_compat import solid_of_mesh_object
+    made = meshes()[-1]
+    assert solid_of_mesh_object(made) == body and made.FemMesh.HexaCount == 8
+    doc.undo()
 
 
 def saved_and_reloaded():
@@ -276,15 +306,20 @@ def the_panel_ends_with_its_document():
     doc = state["doc"]
     select(doc.Cylinder)
     open_panel("HexCon_MeshSolid")
-    mesh(0.4)
-    wait(lambda: find(QtGui.QProgressBar, "progress").format().startswith("Hexes"), "hexes")
-    FreeCAD.closeDocument(doc.Name)
-    wait(lambda: not FreeCADGui.Control.activeDialog(), "the panel to close")
     from hexcon.gui import panel
+    with held_at("placement") as (reached, go_on):
+        mesh(0.8)
+        wait(reached.is_set, "points to be placed")
+        FreeCAD.closeDocument(doc.Name)
+        wait(lambda: not FreeCADGui.Control.activeDialog(), "the panel to close")
+        assert panel._working
+        go_on.set()
     wait(lambda: not panel._working, "the work to stop")
 
 
 run(workbench_has_its_commands, commands_know_the_selection, box_becomes_a_mesh, undo_removes_it,
-    the_macro_does_it_again, cancel_leaves_the_document_untouched, a_changed_solid_is_noticed,
+    the_macro_does_it_again, cancel_stops_gmsh,
+    cancel_half_way_leaves_the_document_untouched, a_changed_solid_is_noticed,
     failure_is_told_in_words, second_order_mesh_is_checked, bad_hexes_are_marked,
+    nothing_more_is_claimed_than_proved, a_body_is_meshed_as_a_whole,
     saved_and_reloaded, the_panel_ends_with_its_document)

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the scripts share that run inside FreeCAD's window: steps, waiting, pictures, the end."""
+"""What the scripts share that run inside FreeCAD's window: steps, waiting, clicks, pictures."""
+import contextlib
+import glob
 import os
 import subprocess
+import threading
 import time
 import traceback
 
-import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
@@ -51,7 +53,88 @@ def picture(name):
         FreeCADGui.getMainWindow().grab().save(path)
 
 
-def run(*steps):
+def select(thing, part=""):
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(thing.Document.Name, thing.Name, part)
+
+
+def words():
+    """What the open panel says, as plain text."""
+    text = QtGui.QTextDocument()
+    text.setHtml(find(QtGui.QLabel, "result").text())
+    return text.toPlainText().replace("\u00a0", " ")
+
+
+def button(name):
+    return find(QtGui.QPushButton, name)
+
+
+def open_panel(command):
+    FreeCADGui.runCommand(command)
+    wait(lambda: find(QtGui.QLabel, "result"), f"the panel of {command}")
+
+
+def close_panel():
+    box = FreeCADGui.getMainWindow().findChild(QtGui.QDialogButtonBox)
+    box.button(QtGui.QDialogButtonBox.Close).click()
+    wait(lambda: not FreeCADGui.Control.activeDialog(), "the panel to close")
+
+
+def is_idle():
+    return button("mesh").isEnabled() and words()
+
+
+def mesh(size, method="auto", order=1):
+    """Set the open panel's widgets and press Mesh."""
+    find(QtGui.QAbstractSpinBox, "size").setProperty("rawValue", size)
+    for name, data in (("surface_method", method), ("order", order)):
+        box = find(QtGui.QComboBox, name)
+        box.setCurrentIndex(box.findData(data))
+    button("mesh").click()
+
+
+def gmsh_runs():
+    """Whether a gmsh process of this FreeCAD is alive."""
+    for folder in glob.glob("/proc/[0-9]*"):
+        try:
+            with open(f"{folder}/stat") as stat, open(f"{folder}/cmdline") as line:
+                fields = stat.read().rsplit(")", 1)[1].split()
+                if "gmsh_worker" in line.read() and int(fields[1]) == os.getpid():
+                    return True
+        except OSError:
+            pass  # it ended while we looked
+    return False
+
+
+@contextlib.contextmanager
+def held_at(stage):
+    """The next mesh waits in this stage; yields (reached, go on), so no test races the core."""
+    from hexcon.gui import mesh_panel
+    reached, go_on, real = threading.Event(), threading.Event(), mesh_panel.mesh_solid
+
+    def slow(shape, size, *, progress, **options):
+        def report(now, fraction):
+            answer = progress(now, fraction)
+            if now == stage and fraction > 0.4:
+                reached.set()
+                go_on.wait(PATIENCE)
+            return answer and progress(now, fraction)
+        return real(shape, size, progress=report, **options)
+    mesh_panel.mesh_solid = slow
+    try:
+        yield reached, go_on
+    finally:
+        mesh_panel.mesh_solid = real
+
+
+def leave(status):
+    """FreeCAD's own way out after success."""
+    if status:
+        os._exit(status)
+    QtGui.QApplication.quit()
+
+
+def run(*steps, end=os._exit):
     """Run the steps once the window is there, then end FreeCAD: status 0 if all passed."""
     def all_steps():
         status = 1
@@ -61,9 +144,10 @@ def run(*steps):
                 started = time.monotonic()
                 step()
                 say(f"ok {step.__name__} ({time.monotonic() - started:.1f} s)")
+            say("all steps passed")
             status = 0
         except BaseException:
             say(traceback.format_exc())
             picture("failure.png")
-        os._exit(status)
+        end(status)
     QtCore.QTimer.singleShot(0, all_steps)

@@ -70,6 +70,7 @@ def write_vtu(path, elements, point_data=None, cell_data=None):
     """point_data, cell_data: {name: (P,) or (P,k)}, {name: (H,) or (H,k)}, optional."""
     writer = _vtk()[3].vtkXMLUnstructuredGridWriter()
     writer.SetDataModeToBinary()
+    writer.SetHeaderTypeToUInt64()  # 10^7 hexes of order 2 pass 4 GiB
     _write(writer, path, _grid(elements, point_data, cell_data))
 
 

@@ -23,7 +23,6 @@ from hexcon.meshing import mesh_solid
 from . import words
 
 TIMEOUT = 3600.0  # seconds for gmsh: in the window the user stops it, not the clock
-RED = (0.9, 0.1, 0.1)
 _NICE = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
 
 # What a panel's worker has just computed for the very call that puts it into the document.
@@ -157,11 +156,9 @@ def _is_straight(found):
 
 
 def mark_hexes(mesh_object, elements):
-    """Colour these elements (FreeCAD's numbers) red and mark their nodes; none: as before.
+    """Show these elements (FreeCAD's numbers) in red, inside ones too; none: as before.
 
-    Needs FreeCAD's window. The nodes show hexes that lie inside, where no face is drawn.
+    Needs FreeCAD's window. A matter of the view: the document does not change.
     """
-    view = mesh_object.ViewObject
-    nodes = {n for e in elements for n in mesh_object.FemMesh.getElementNodes(e)}
-    view.ElementColor = {e: RED for e in elements}
-    view.HighlightedNodes = sorted(nodes)
+    from .marking import mark
+    mark(mesh_object, elements)

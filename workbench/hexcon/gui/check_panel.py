@@ -10,7 +10,7 @@ from hexcon_native import HexconError
 
 from . import actions, words
 from .commands import ROOT
-from .panel import Panel
+from .panel import Panel, hourglass
 
 translate = FreeCAD.Qt.translate
 
@@ -18,12 +18,15 @@ translate = FreeCAD.Qt.translate
 class CheckPanel(Panel):
     """Works as soon as it opens; then the words, and the hexes that are not positive in red."""
 
+    failed = FreeCAD.Qt.QT_TRANSLATE_NOOP("HexCon", "Not checked")
+
     def __init__(self, mesh_object):
         super().__init__(mesh_object, translate("HexCon", "Certify hex mesh"),
                          os.path.join(ROOT, "resources", "icons", "HexCon_Check.svg"))
         self._nonpositive = []
         try:
-            found = actions.read_mesh_object(mesh_object)
+            with hourglass():
+                found = actions.read_mesh_object(mesh_object)
         except HexconError as fault:
             self.show_fault(fault)
         else:
@@ -51,6 +54,8 @@ class CheckPanel(Panel):
         with actions.prepared(result):
             FreeCADGui.doCommand(
                 f"print(hexcon.gui.actions.check_mesh_object({self.reference()}))")
+        if result.nonpositive:
+            FreeCADGui.Selection.clearSelection()  # its green would hide the red
         self._nonpositive = result.nonpositive
         self.mark.setVisible(bool(self._nonpositive))
         self.on_mark(self.mark.isChecked())

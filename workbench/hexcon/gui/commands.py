@@ -4,6 +4,8 @@
 InitGui.py loads this file by its path, outside the package hexcon: it imports nothing of HexCon
 before a command runs.
 """
+import glob
+import importlib
 import os
 
 import FreeCAD
@@ -21,14 +23,25 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.dirname(
 
 def core_is_there():
     """True if the core can be used; otherwise the user has been told how to build it."""
+    importlib.invalidate_caches()  # it may have been built a moment ago
     try:
         import hexcon.gui.actions  # noqa: F401  all that commands need, and the core below it
     except ImportError as fault:
-        _tell(translate("HexCon", "HexCon cannot work yet: its native core is not built.\n\n"
-                        "Run this command, then try again:\n    make build\nin the folder\n    "
-                        "{folder}\n\n(Python says: {fault})").format(folder=ROOT, fault=fault))
+        _tell(_how_to_build(fault))
         return False
     return True
+
+
+def _how_to_build(fault):
+    lines = [translate("HexCon", "HexCon cannot work yet: its native core is missing."), "",
+             translate("HexCon", "Run the command"), "    make build",
+             translate("HexCon", "in the folder"), f"    {ROOT}",
+             translate("HexCon", "and try again.")]
+    if glob.glob(os.path.join(glob.escape(ROOT), "hexcon_native", "_core*")):
+        # it is there and does not load: only Python knows why
+        lines += ["", translate("HexCon", "Python says: {words}").format(
+            words=fault.__cause__ or fault)]
+    return "\n".join(lines)
 
 
 def _tell(message):
@@ -36,7 +49,7 @@ def _tell(message):
     window = FreeCADGui.getMainWindow()
     # one box at a time, and one that stops nothing: FreeCAD may be starting up
     for old in window.findChildren(QtGui.QMessageBox, "HexConMissingCore"):
-        old.deleteLater()
+        old.close()
     box = QtGui.QMessageBox(QtGui.QMessageBox.Warning, "HexCon", message,
                             QtGui.QMessageBox.Ok, window)
     box.setObjectName("HexConMissingCore")

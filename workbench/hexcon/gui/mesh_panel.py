@@ -12,7 +12,7 @@ from hexcon.quads import METHODS
 
 from . import actions, words
 from .commands import ROOT
-from .panel import Panel
+from .panel import Panel, hourglass
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -27,8 +27,19 @@ METHOD_WORDS = {
 }
 
 
+def _narrow_box(name):
+    """A combo box that does not push the panel's right edge out of FreeCAD's narrow dock."""
+    box = QtGui.QComboBox()
+    box.setObjectName(name)
+    box.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+    box.setMinimumContentsLength(8)
+    return box
+
+
 class MeshPanel(Panel):
     """Size, method and order; a certified mesh in the document, or the reason why not."""
+
+    failed = QT_TRANSLATE_NOOP("HexCon", "No mesh")
 
     def __init__(self, solid):
         self._shape = solid.Shape
@@ -38,9 +49,11 @@ class MeshPanel(Panel):
 
     def fill(self, layout):
         rows = QtGui.QFormLayout()
+        rows.setHorizontalSpacing(4)
         rows.addRow(translate("HexCon", "Solid"), QtGui.QLabel(self.about().Label))
         self.size = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
         self.size.setObjectName("size")
+        self.size.setMinimumWidth(60)
         self.size.setProperty("unit", "mm")
         self.size.setProperty("minimum", 0.0)
         self.size.setProperty("rawValue", actions.default_size(self._shape))
@@ -48,14 +61,12 @@ class MeshPanel(Panel):
         # the widget's other signal of this name carries a type Python does not know
         QtCore.QObject.connect(self.size, QtCore.SIGNAL("valueChanged(double)"), self._estimate)
         self.expected = QtGui.QLabel()
-        self.surface_method = QtGui.QComboBox()
-        self.surface_method.setObjectName("surface_method")
+        self.surface_method = _narrow_box("surface_method")
         self.surface_method.setToolTip(translate(
             "HexCon", "How the surface is meshed with quads; automatic sweeps where it can"))
         for name in METHODS:
             self.surface_method.addItem(translate("HexCon", METHOD_WORDS.get(name, name)), name)
-        self.order = QtGui.QComboBox()
-        self.order.setObjectName("order")
+        self.order = _narrow_box("order")
         for order, text in words.ORDERS.items():
             self.order.addItem(translate("HexCon", text), order)
         self.mesh = QtGui.QPushButton(translate("HexCon", "Mesh"))
@@ -64,7 +75,7 @@ class MeshPanel(Panel):
         rows.addRow(translate("HexCon", "Size"), self.size)
         rows.addRow("", self.expected)
         rows.addRow(translate("HexCon", "Surface"), self.surface_method)
-        rows.addRow(translate("HexCon", "Elements"), self.order)
+        rows.addRow(translate("HexCon", "Order"), self.order)
         layout.addLayout(rows)
         layout.addWidget(self.mesh)
 
@@ -108,14 +119,10 @@ class MeshPanel(Panel):
                 FaultCode.BAD_SHAPE)
         used = self._used
         FreeCADGui.addModule("hexcon.gui.actions")
-        QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
-        try:
-            with actions.prepared(result):
-                FreeCADGui.doCommand(
-                    f"hexcon.gui.actions.mesh_solid_object({self.reference()}, {used['size']!r}, "
-                    f"surface_method={used['surface_method']!r}, order={used['order']!r})")
-        finally:
-            QtGui.QApplication.restoreOverrideCursor()
+        with hourglass(), actions.prepared(result):
+            FreeCADGui.doCommand(
+                f"hexcon.gui.actions.mesh_solid_object({self.reference()}, {used['size']!r}, "
+                f"surface_method={used['surface_method']!r}, order={used['order']!r})")
         rows = words.of_mesh(result)
         FreeCAD.Console.PrintMessage(f"HexCon: {words.as_text(rows)}\n")
         return rows

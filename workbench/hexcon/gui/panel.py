@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the task panels share: progress, words, cancel, and an end with their object."""
+from contextlib import contextmanager
 from html import escape
 
 import FreeCAD
@@ -18,11 +19,23 @@ STEPS = 1000  # of the progress bar
 _working = set()
 
 
+@contextmanager
+def hourglass():
+    """Around what has to be done in the window's thread and may take seconds."""
+    QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+    try:
+        yield
+    finally:
+        QtGui.QApplication.restoreOverrideCursor()
+
+
 class Panel:
     """A FreeCAD task panel about one document object.
 
     form holds, below what fill() adds: progress (bar), cancel (button), result (label).
     """
+
+    failed = ""  # how the words of a fault begin
 
     def __init__(self, about, title, icon):
         self.document_name, self.object_name = about.Document.Name, about.Name
@@ -48,10 +61,10 @@ class Panel:
         self.cancel.setObjectName("cancel")
         self.cancel.clicked.connect(self.on_cancel)
         self.running = QtGui.QWidget()
-        row = QtGui.QHBoxLayout(self.running)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.addWidget(self.progress, 1)
-        row.addWidget(self.cancel)
+        rows = QtGui.QVBoxLayout(self.running)  # side by side the stage's name had no room
+        rows.setContentsMargins(0, 0, 0, 0)
+        rows.addWidget(self.progress)
+        rows.addWidget(self.cancel)
         self.running.hide()
         self.result = QtGui.QLabel()
         self.result.setObjectName("result")
@@ -113,18 +126,19 @@ class Panel:
             except Exception as error:
                 fault = in_words(error)
         if fault is None:
-            self.result.setText(words.as_table(rows))
+            self.result.setText(words.as_html(rows))
         else:
             self.show_fault(fault)
 
     def show_fault(self, fault):
         """The words of a HexconError, in the panel and in the report view."""
         if fault.code == ErrorCode.CANCELLED:
-            message, colour = translate("HexCon", "Cancelled. The document is unchanged."), ""
-        else:
-            message, colour = str(fault), " style='color:#b00020'"
-            FreeCAD.Console.PrintWarning(f"HexCon: {message}\n")
-        self.result.setText(f"<p{colour}>{escape(message)}</p>")
+            self.result.setText(translate("HexCon", "Cancelled. The document is unchanged."))
+            return
+        failed = translate("HexCon", self.failed)
+        FreeCAD.Console.PrintWarning(f"HexCon: {failed}: {fault}\n")
+        lines = "<br>".join(escape(str(fault)).splitlines())  # gmsh's last words are several
+        self.result.setText(f"<p><b style='color:#b00020'>{escape(failed)}:</b> {lines}</p>")
 
     def _show_stage(self, stage, fraction):
         if self._open and self.cancel.isEnabled():
@@ -138,7 +152,8 @@ class Panel:
     # ---------------------------------------------------------------------------------- the dialog
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Close)
+        close = QtGui.QDialogButtonBox.Close
+        return int(getattr(close, "value", close))  # an enum in Qt 6 (*unverified*)
 
     def isAllowedAlterDocument(self):
         return True

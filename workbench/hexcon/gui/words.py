@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Results and stages in words: lists of (heading, sentence), as text or as a table."""
+"""Results and stages in words: lists of (heading, sentence), as plain or as rich text."""
 from html import escape
 
 import FreeCAD
@@ -42,50 +42,49 @@ def as_text(rows):
     return "\n".join(f"{heading}: {sentence}" for heading, sentence in rows)
 
 
-def as_table(rows):
-    """The rows as rich text."""
-    cells = "".join(f"<tr><td style='padding-right:8px'><b>{escape(heading)}</b></td>"
-                    f"<td>{escape(sentence)}</td></tr>" for heading, sentence in rows)
-    return f"<table>{cells}</table>"
+def as_html(rows):
+    """The rows as rich text: paragraphs, as a panel is too narrow for columns."""
+    return "".join(f"<p style='margin:0 0 5px 0'><b>{escape(heading)}:</b> {escape(sentence)}</p>"
+                   for heading, sentence in rows)
 
 
 def of_mesh(mesh):
     """Rows for a mesh that has just been made."""
+    report = mesh.report
     rows = [(translate("HexCon", "Surface"),
              translate("HexCon", "{quads} quads, method {method}").format(
-                 quads=count(len(mesh.quads)), method=mesh.report.get("surface method", "given"))),
-            (translate("HexCon", "Hexes"), _hexes(mesh)),
-            (translate("HexCon", "Nodes"), count(len(mesh.points))),
-            *_worth(mesh.quality, mesh.certificate)]
-    rows += [(translate("HexCon", "Note"), note) for note in mesh.report.get("surface notes", ())]
+                 quads=count(len(mesh.quads)), method=report.get("surface method", "given"))),
+            *_size(len(mesh.hexes), mesh.order, len(mesh.points))]
+    if report.get("rings"):
+        rows.append((translate("HexCon", "Sweep"),
+                     translate("HexCon", "{cap} cap quads \u00d7 {rings} rings").format(
+                         cap=count(report["cap quads"]), rings=count(report["rings"]))))
+    rows += _worth(mesh.quality, mesh.certificate)
+    rows += [(translate("HexCon", "Note"), note) for note in report.get("surface notes", ())]
     return rows
 
 
-def _hexes(mesh):
-    sentence = f"{count(len(mesh.hexes))}, {translate('HexCon', ORDERS[mesh.order])}"
-    if mesh.report.get("rings"):
-        sentence += translate("HexCon", ": {cap} cap quads \u00d7 {rings} rings").format(
-            cap=count(mesh.report["cap quads"]), rings=count(mesh.report["rings"]))
-    return sentence
+def _size(hexes, order, nodes):
+    return [(translate("HexCon", "Hexes"),
+             f"{count(hexes)}, {translate('HexCon', ORDERS[order])}"),
+            (translate("HexCon", "Nodes"), count(nodes))]
 
 
 def of_check(report):
     """Rows for an actions.CheckReport."""
     counts = report.counts
-    rows = [(translate("HexCon", "Hexes"),
-             f"{count(counts.hexes)}, {translate('HexCon', ORDERS[counts.order])}"),
-            (translate("HexCon", "Nodes"), count(counts.points)),
+    rows = [*_size(counts.hexes, counts.order, counts.points),
             (translate("HexCon", "Boundary"),
              translate("HexCon", "{quads} quads").format(quads=count(counts.quads))),
-            *_worth(report.quality, report.certificate)]
+            *_worth(report.quality, report.certificate, report.surface_known, report.straight)]
     if not report.surface_known:
         rows.append((translate("HexCon", "Note"), translate(
             "HexCon", "the mesh keeps no face groups that cover its boundary, so the boundary "
             "could not be compared with a surface")))
     if not report.straight:
         rows.append((translate("HexCon", "Note"), translate(
-            "HexCon", "some edges are curved; hexes are judged by their corners, so nothing is "
-            "proved of the curved elements")))
+            "HexCon", "some edges are curved; hexes were judged by their corners, as if their "
+            "edges were straight")))
     if report.nonpositive:
         rows.append((translate("HexCon", "Elements"), _listed(report.nonpositive)))
     return rows
@@ -98,17 +97,25 @@ def _listed(ids):
     return translate("HexCon", "not positive: {ids}").format(ids=listed)
 
 
-def _worth(quality, certificate):
+def _worth(quality, certificate, surface_known=True, straight=True):
     return [(translate("HexCon", "Scaled Jacobian"),
-             translate("HexCon", "min {min:.3f}, 5 % {q05:.3f}, mean {mean:.3f}").format(
+             # figures stay beside their names where the panel breaks the line
+             translate("HexCon", "min\u00a0{min:.3f}, 5\u00a0%\u00a0{q05:.3f}, "
+                       "mean\u00a0{mean:.3f}").format(
                  min=quality.min, q05=quality.q05, mean=quality.mean)),
-            (translate("HexCon", "Certificate"), _certificate(certificate))]
+            (translate("HexCon", "Certificate"),
+             _certificate(certificate, surface_known, straight))]
 
 
-def _certificate(certificate):
+def _certificate(certificate, surface_known, straight):
     if certificate.certified:
-        return translate("HexCon", "certified: every Jacobian is proved positive, the mesh is "
-                         "proper, its boundary exact")
+        proofs = [translate("HexCon", "every Jacobian is proved positive") if straight else
+                  translate("HexCon", "every Jacobian would be positive with straight edges"),
+                  translate("HexCon", "the mesh is proper")]
+        if surface_known:
+            proofs.append(translate("HexCon", "its boundary exact"))
+        sure = straight and surface_known  # the word alone must not promise more than is proved
+        return (translate("HexCon", "certified: ") if sure else "") + ", ".join(proofs)
     faults = []
     if len(certificate.nonpositive):
         faults.append(translate("HexCon", "{count} hexes are not proved positive").format(

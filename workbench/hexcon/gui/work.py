@@ -12,6 +12,30 @@ from hexcon_native import ErrorCode, HexconError
 POLL = 50  # milliseconds between looks at the worker
 
 
+class _CollectorRests:
+    """Python's cycle collector off while any worker runs.
+
+    It runs in whatever thread allocates, and a widget that it finds in a worker is destroyed
+    outside the window's thread: FreeCAD dies. The workers' timers collect instead.
+    """
+
+    workers = 0
+    was_on = False
+
+    @classmethod
+    def begin(cls):
+        if cls.workers == 0:
+            cls.was_on = gc.isenabled()
+            gc.disable()
+        cls.workers += 1
+
+    @classmethod
+    def end(cls):
+        cls.workers -= 1
+        if cls.workers == 0 and cls.was_on:
+            gc.enable()
+
+
 class Work:
     """One job in a thread.
 
@@ -31,11 +55,7 @@ class Work:
         self._timer.timeout.connect(self._look)
 
     def start(self):
-        # Python's cycle collector runs in whatever thread allocates, and a widget it finds
-        # there is destroyed outside the window's thread: FreeCAD dies. So it rests, and the
-        # timer collects instead.
-        self._collects = gc.isenabled()
-        gc.disable()
+        _CollectorRests.begin()
         QtCore.QCoreApplication.instance().aboutToQuit.connect(self._abandon)
         self._thread.start()
         self._timer.start(POLL)
@@ -62,8 +82,7 @@ class Work:
             return
         self._timer.stop()
         QtCore.QCoreApplication.instance().aboutToQuit.disconnect(self._abandon)
-        if self._collects:
-            gc.enable()
+        _CollectorRests.end()
         if self._cancelled.is_set():
             self._result, self._fault = None, HexconError("cancelled", ErrorCode.CANCELLED)
         result, fault = self._result, in_words(self._fault)
