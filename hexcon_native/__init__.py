@@ -26,7 +26,7 @@ METHODS = {"auto": 0, "swept": 1}
 
 __all__ = [
     "Certificate", "ErrorCode", "HexconError", "Loops", "METHODS", "Mesh", "Quality",
-    "SurfaceReport", "certify", "check_surface", "colouring", "loops", "mesh", "optimize",
+    "SurfaceReport", "certify", "check_options", "check_surface", "colouring", "loops", "mesh", "optimize",
     "quality", "raise_order",
 ]
 
@@ -290,6 +290,13 @@ def mesh(points, quads, method="auto", *, order=1, threads=0, progress=None,
     CANCELLED, BAD_ARGUMENT, OUT_OF_MEMORY.
     Cost: linear in the hexes made, plus the improvement of what is bad.
     """
+    check_options(method, order=order, threads=threads)
+    return Mesh(_core.mesh(_points(points), _ids(quads, 4, "quads"), METHODS[method], int(order),
+                           allow_uncertified, progress))
+
+
+def check_options(method="auto", *, order=1, threads=0):
+    """Raise BAD_ARGUMENT for options that mesh would refuse: for callers with work to do before."""
     if method not in METHODS:
         raise HexconError(f"there is no method {method!r}; there are {', '.join(METHODS)}",
                           ErrorCode.BAD_ARGUMENT)
@@ -298,8 +305,6 @@ def mesh(points, quads, method="auto", *, order=1, threads=0, progress=None,
                           ErrorCode.BAD_ARGUMENT)
     if isinstance(order, bool) or order not in (1, 2):
         raise HexconError(f"order must be 1 or 2, not {order!r}", ErrorCode.BAD_ARGUMENT)
-    return Mesh(_core.mesh(_points(points), _ids(quads, 4, "quads"), METHODS[method], int(order),
-                           allow_uncertified, progress))
 
 
 def quality(points, hexes):

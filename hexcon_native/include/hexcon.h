@@ -164,8 +164,8 @@ typedef struct hexcon_certificate {
 } hexcon_certificate;
 
 /**
- * Prove a hex mesh: topology by counting, Jacobians by Bernstein coefficients with subdivision and
- * a rigorous bound on rounding. Shares no code with the builder. Linear.
+ * Prove a hex mesh: topology by counting, Jacobians by Bernstein coefficients with subdivision, a
+ * rigorous bound on rounding, and exact arithmetic where that bound leaves the sign open. Shares no code with the builder. Linear.
  * @param quads  [quad_count][4] the surface, outward
  * @param certificate  filled; free with hexcon_certificate_free
  * Errors: EMPTY, TOO_LARGE, INDEX_OUT_OF_RANGE, NOT_FINITE, REPEATED_VERTEX, OUT_OF_MEMORY,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a swept hex mesh is made of, found again from its hexes alone, and what its surface allows."""
+"""What a swept hex mesh is made of, found from its hexes alone, and what its surface allows."""
 import collections
 
 import numpy as np
@@ -37,7 +37,7 @@ class Columns:
             hex_, side = onward[0]
 
     def patches(self):
-        """Lists of quads that touch over edges with exactly two hexes: no rim lies between them."""
+        """Lists of quads that touch over edges with just two hexes: no rim lies between them."""
         owner = [self.sides[frozenset(quad)][0][0] for quad in self.quads]
         hexes_at, quads_at = collections.defaultdict(set), collections.defaultdict(list)
         for hex_, face in ((way[0], face) for face, ways in self.sides.items() for way in ways):

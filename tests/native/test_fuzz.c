@@ -77,11 +77,21 @@ static void flip_all(test_mesh *mesh, uint64_t *random) {
 }
 
 static void merge_points(test_mesh *mesh, uint64_t *random) {
+  if (mesh->surface_point_count == 1)
+    return;
   int32_t kept = (int32_t)random_below(random, mesh->surface_point_count);
   int32_t gone = (int32_t)random_below(random, mesh->surface_point_count);
+  if (kept == gone)
+    return;
   for (size_t i = 0; i < 4 * mesh->quad_count; i++)
     if (mesh->quads[i] == gone)
       mesh->quads[i] = kept;
+  for (size_t i = 0; i < 4 * mesh->quad_count; i++) /* the last point takes the free number */
+    if (mesh->quads[i] == (int32_t)mesh->surface_point_count - 1)
+      mesh->quads[i] = gone;
+  mesh->surface_point_count--;
+  memmove(mesh->points + 3 * gone, mesh->points + 3 * mesh->surface_point_count,
+          3 * sizeof(double));
 }
 
 static void rotate_quad(test_mesh *mesh, uint64_t *random) {

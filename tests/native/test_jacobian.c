@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "support.h"
-#include "verify/jacobian_sign.h"
+#include "verify/jacobian_exact.h"
 
 static const int32_t in_order[8] = {0, 1, 2, 3, 4, 5, 6, 7};
 static const double unit_cube[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
@@ -293,13 +293,41 @@ static void not_a_number(void **state) {
   }
 }
 
+/** The filter in doubles and exact arithmetic never contradict each other, and exact arithmetic
+ * decides every hex of small integers that has no zero inside. */
+static void filter_and_exact_agree(void **state) {
+  (void)state;
+  uint64_t random = 21;
+  for (int round = 0; round < 3000; round++) {
+    int hex[8][3];
+    bool zero;
+    double points[8][3];
+    random_hex(&random, 8, 2 + round % 5, hex);
+    scale_points(hex, 0x1p-40, points);
+    int truth = exact_sign_of(hex, &zero);
+    jacobian_sign sign = prove_jacobian_sign_exactly(&points[0][0], in_order);
+    if (truth > 0)
+      assert_int_equal(sign, JACOBIAN_POSITIVE);
+    if (truth < 0)
+      assert_int_equal(sign, JACOBIAN_NONPOSITIVE);
+    if (sign != JACOBIAN_UNDECIDED)
+      assert_int_equal(sign_of((const double(*)[3])points), sign);
+  }
+}
+
 /** Jacobian 0 at a corner, on an edge, on a face, everywhere: never positive, and soon decided. */
 static void zero_jacobians(void **state) {
   (void)state;
   double points[8][3];
   memcpy(points, unit_cube, sizeof points);
-  points[0][0] = points[0][1] = points[0][2] = 1.0 / 3; /* in one plane with its neighbours */
-  assert_int_not_equal(sign_of((const double(*)[3])points), JACOBIAN_POSITIVE);
+  points[0][0] = points[0][1] = 0.25; /* in one plane with its neighbours */
+  points[0][2] = 0.5;
+  assert_int_equal(sign_of((const double(*)[3])points), JACOBIAN_NONPOSITIVE);
+  /* the doubles next to a third lie on either side of that plane: only exact arithmetic tells */
+  points[0][0] = points[0][1] = points[0][2] = 1.0 / 3;
+  assert_int_equal(sign_of((const double(*)[3])points), JACOBIAN_POSITIVE);
+  points[0][0] = points[0][1] = points[0][2] = nextafter(1.0 / 3, 1);
+  assert_int_equal(sign_of((const double(*)[3])points), JACOBIAN_NONPOSITIVE);
   memcpy(points, unit_cube, sizeof points);
   memcpy(points[1], points[0], sizeof points[1]); /* an edge of length 0 */
   assert_int_not_equal(sign_of((const double(*)[3])points), JACOBIAN_POSITIVE);
@@ -412,6 +440,7 @@ int main(void) {
       cmocka_unit_test(extreme_coordinates),
       cmocka_unit_test(not_a_number),
       cmocka_unit_test(zero_jacobians),
+      cmocka_unit_test(filter_and_exact_agree),
       cmocka_unit_test(random_real_hexes),
       cmocka_unit_test(numbering_does_not_matter),
   };

@@ -104,7 +104,7 @@ static hexcon_status call_certify(hexcon_context *context, material *m) {
 /** With lists of bad hexes to fill. */
 static hexcon_status call_certify_bad(hexcon_context *context, material *m) {
   test_mesh bad = test_mesh_copy(&m->scrambled);
-  memcpy(bad.hexes + 8, bad.hexes, 7 * sizeof *bad.hexes); /* all but a duplicate */
+  memcpy(bad.hexes + 8, bad.hexes, 8 * sizeof *bad.hexes);
   hexcon_status status = certify(context, &bad);
   test_mesh_free(&bad);
   return status;
@@ -129,6 +129,17 @@ static hexcon_status mesh_of(hexcon_context *context, const test_mesh *surface, 
   else if (order == 1)
     assert_true(hexcon_mesh_certificate(mesh)->certified);
   hexcon_mesh_free(context, mesh);
+  return status;
+}
+
+static hexcon_status call_raise_order(hexcon_context *context, material *m) {
+  hexcon_second_order raised;
+  memset(&raised, 0xff, sizeof raised);
+  hexcon_status status = hexcon_raise_order(context, m->swept.points, m->swept.point_count,
+                                            m->swept.hexes, m->swept.hex_count, &raised);
+  if (status)
+    assert_true(!raised.points && !raised.hexes);
+  hexcon_second_order_free(context, &raised);
   return status;
 }
 
@@ -162,6 +173,7 @@ static const struct {
              {"certify", call_certify},
              {"certify bad", call_certify_bad},
              {"optimize", call_optimize},
+             {"raise order", call_raise_order},
              {"mesh", call_mesh},
              {"mesh second order", call_mesh_second_order},
              {"mesh twisted", call_mesh_twisted},

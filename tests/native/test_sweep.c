@@ -116,36 +116,40 @@ static void affine_levels(void **state) {
   expect_swept(mesh, 25);
 }
 
-static void expect_not_swept(test_mesh mesh) {
+/** No mesh, and words that say why. Frees the mesh. */
+static hexcon_status refusal(test_mesh mesh) {
   hexcon_context *context = hexcon_context_new();
   hexcon_mesh *made = NULL;
   const int32_t *ids;
-  assert_int_equal(hexcon_mesh_surface(context, mesh.points, mesh.surface_point_count, mesh.quads,
-                                       mesh.quad_count, NULL, &made),
-                   HEXCON_NOT_SWEPT);
+  hexcon_status status = hexcon_mesh_surface(context, mesh.points, mesh.surface_point_count,
+                                             mesh.quads, mesh.quad_count, NULL, &made);
   assert_null(made);
   assert_message(context);
   size_t count = hexcon_context_elements(context, &ids);
   for (size_t i = 0; i < count; i++)
-    assert_true(ids[i] >= 0 && (size_t)ids[i] < mesh.quad_count);
+    assert_true(ids[i] >= 0);
+  for (size_t i = 0; status == HEXCON_NOT_SWEPT && i < count; i++)
+    assert_true((size_t)ids[i] < mesh.quad_count);
   hexcon_context_free(context);
   test_mesh_free(&mesh);
+  return status;
 }
 
 static void no_sweeps(void **state) {
   (void)state;
-  expect_not_swept(make_schneiders_pyramid());
-  expect_not_swept(make_trapezohedron());
-  expect_not_swept(make_cells(2, 2, 2, "#####..."));
-  expect_not_swept(make_cells(3, 3, 2, "#########....#...."));
-  expect_not_swept(make_cells(2, 2, 2, "#######."));
+  assert_int_equal(refusal(make_schneiders_pyramid()), HEXCON_NOT_SWEPT);
+  assert_int_equal(refusal(make_trapezohedron()), HEXCON_NOT_SWEPT);
+  /* a tower on a slab; a corner cut out; two loops more on one side than on the other */
+  assert_int_equal(refusal(make_cells(2, 2, 2, "#####...")), HEXCON_NOT_SWEPT);
+  assert_int_equal(refusal(make_cells(2, 2, 2, "#######.")), HEXCON_NOT_SWEPT);
+  assert_int_equal(refusal(make_cells(4, 4, 3, "################################.....#..........")),
+                   HEXCON_NOT_SWEPT);
 }
 
-/** A box whose middle column of one side is cut: two loops more there, none on the other side. */
-static void blocked_box(void **state) {
+/** A knob on a slab sweeps by its quads alone, but not in this shape. */
+static void wrong_shape_for_a_sweep(void **state) {
   (void)state;
-  test_mesh mesh = make_cells(4, 4, 3, "################################.....#..........");
-  expect_not_swept(mesh);
+  assert_int_equal(refusal(make_cells(3, 3, 2, "#########....#....")), HEXCON_NOT_CERTIFIED);
 }
 
 static void second_order(void **state) {
@@ -222,7 +226,7 @@ static void any_scale(void **state) {
       print_message("unit 2^%d: %s\n", exponent, hexcon_context_message(context));
     else
       assert_certified_mesh(context, &box, made);
-    if (abs(exponent) <= 100)
+    if (abs(exponent) <= 300)
       assert_int_equal(status, HEXCON_OK);
     hexcon_mesh_free(context, made);
     test_mesh_free(&box);
@@ -232,9 +236,11 @@ static void any_scale(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(boxes),         cmocka_unit_test(prisms),      cmocka_unit_test(tubes),
-      cmocka_unit_test(affine_levels), cmocka_unit_test(no_sweeps),   cmocka_unit_test(blocked_box),
-      cmocka_unit_test(second_order),  cmocka_unit_test(uncertified), cmocka_unit_test(any_scale),
+      cmocka_unit_test(boxes),        cmocka_unit_test(prisms),
+      cmocka_unit_test(tubes),        cmocka_unit_test(affine_levels),
+      cmocka_unit_test(no_sweeps),    cmocka_unit_test(wrong_shape_for_a_sweep),
+      cmocka_unit_test(second_order), cmocka_unit_test(uncertified),
+      cmocka_unit_test(any_scale),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

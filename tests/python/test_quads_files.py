@@ -4,7 +4,9 @@ import meshio
 import numpy as np
 import pytest
 
-from hexcon.errors import FaultCode, ToolError
+import hexcon_native
+from hexcon_native import ErrorCode
+from hexcon.errors import FaultCode, HexconError, ToolError
 from hexcon.quads import surface_from_file
 
 # A box of 1 x 1 x 2 unit cubes: 10 quads, outward.
@@ -98,6 +100,14 @@ def _code(path):
     return caught.value.code
 
 
+def _code_of_meshing(path):
+    """Read, which must go well, then fill, which must not: the core judges given surfaces."""
+    surface = surface_from_file(path)
+    with pytest.raises(HexconError) as caught:
+        hexcon_native.mesh(surface.points, surface.quads)
+    return caught.value.code
+
+
 def test_open_surface(tmp_path):
     with pytest.raises(ToolError) as caught:
         surface_from_file(_write(tmp_path / "s.vtk", POINTS, [("quad", QUADS[1:])]))
@@ -107,7 +117,7 @@ def test_open_surface(tmp_path):
 def test_two_bodies(tmp_path):
     quads = np.concatenate([QUADS, QUADS + 12])
     path = _write(tmp_path / "s.vtk", np.concatenate([POINTS, POINTS + 5]), [("quad", quads)])
-    assert _code(path) is FaultCode.BAD_SHAPE
+    assert _code_of_meshing(path) is ErrorCode.SEVERAL_COMPONENTS
 
 
 def test_odd_surface(tmp_path):
@@ -118,7 +128,29 @@ def test_odd_surface(tmp_path):
     ids = np.arange(15).reshape(3, 5)
     up, right = np.roll(ids, -1, axis=0), np.roll(ids, -1, axis=1)
     quads = np.stack([ids, up, np.roll(up, -1, axis=1), right], -1).reshape(-1, 4)
-    assert _code(_write(tmp_path / "s.vtk", points, [("quad", quads)])) is FaultCode.ODD_SURFACE
+    assert _code_of_meshing(_write(tmp_path / "s.vtk", points, [("quad", quads)])) is ErrorCode.ODD
+
+
+def test_turned_quads_are_told(tmp_path):
+    inward = surface_from_file(_write(tmp_path / "a.vtk", POINTS, [("quad", QUADS[:, ::-1])]))
+    assert any("all quads faced inward" in note for note in inward.notes)
+    mixed = QUADS.copy()
+    mixed[1] = mixed[1, ::-1]
+    mended = surface_from_file(_write(tmp_path / "b.vtk", POINTS, [("quad", mixed)]))
+    assert any(note.startswith("1 quads were oriented against") for note in mended.notes)
+    assert np.array_equal(np.sort(mended.quads, axis=1), np.sort(QUADS, axis=1))
+
+
+@pytest.mark.parametrize("damage", ("POLYGONS 10 50\n4 0 1 2 99", "POLYGONS 10 50\n4 0 1 2 -7",
+                                    "POLYGONS 1 2\n1 0"))
+def test_damaged_polydata_is_told(tmp_path, damage):
+    """VTK's own access by cell would read beyond its arrays."""
+    lines = ["# vtk DataFile Version 3.0", "quads", "ASCII", "DATASET POLYDATA", f"POINTS {len(POINTS)} double"]
+    lines += [" ".join(map(str, p)) for p in POINTS] + [damage]
+    lines += ["4 " + " ".join(map(str, q)) for q in QUADS[1:]]
+    path = tmp_path / "s.vtk"
+    path.write_text("\n".join(lines) + "\n", encoding="ascii")
+    assert _code(path) in (FaultCode.FILE_FORMAT, FaultCode.BAD_SHAPE)
 
 
 def test_repeated_vertex_and_nan(tmp_path):

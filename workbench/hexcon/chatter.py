@@ -7,10 +7,10 @@ import sys
 
 @contextlib.contextmanager
 def chatter_to(path=os.devnull):
-    """Send standard output, of C++ libraries too, to a file (appended) while inside."""
+    """Send standard output, of C++ libraries too, to a file (a new one) while inside."""
     sys.stdout.flush()
     kept = os.dup(1)
-    with open(path, "ab") as log:
+    with open(path, "wb") as log:
         os.dup2(log.fileno(), 1)
     try:
         yield

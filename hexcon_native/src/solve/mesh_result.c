@@ -28,8 +28,8 @@ void mesh_note_seconds(hexcon_mesh *mesh, const char *stage, double start) {
 
 hexcon_status mesh_raise_order(hexcon_context *context, hexcon_mesh *mesh) {
   hexcon_second_order raised;
-  hexcon_status status = raise_order(context, mesh->points, mesh->point_count, mesh->hexes,
-                                     mesh->hex_count, &raised);
+  hexcon_status status =
+      raise_order(context, mesh->points, mesh->point_count, mesh->hexes, mesh->hex_count, &raised);
   if (status)
     return status;
   context_free(context, mesh->points);

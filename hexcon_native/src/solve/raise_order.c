@@ -7,8 +7,8 @@
 #include "verify/hex_arrays.h"
 
 /** The points, with the edges' midpoints after them. */
-static double *append_midpoints(hexcon_context *context, const double *points,
-                                size_t point_count, const edge_table *edges) {
+static double *append_midpoints(hexcon_context *context, const double *points, size_t point_count,
+                                const edge_table *edges) {
   double *all = context_allocate(context, 3 * (point_count + edges->count), sizeof *all);
   if (!all)
     return NULL;
@@ -55,9 +55,8 @@ hexcon_status raise_order(hexcon_context *context, const double *points, size_t 
   return status;
 }
 
-hexcon_status hexcon_raise_order(hexcon_context *context, const double *points,
-                                 size_t point_count, const int32_t *hexes, size_t hex_count,
-                                 hexcon_second_order *out) {
+hexcon_status hexcon_raise_order(hexcon_context *context, const double *points, size_t point_count,
+                                 const int32_t *hexes, size_t hex_count, hexcon_second_order *out) {
   context_clear(context);
   memset(out, 0, sizeof *out);
   hexcon_status status = check_hex_arrays(context, points, point_count, hexes, hex_count);

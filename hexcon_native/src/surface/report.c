@@ -108,8 +108,10 @@ hexcon_status hexcon_surface_loops(hexcon_context *context, const int32_t *quads
   memset(loops, 0, sizeof *loops);
   surface s;
   surface_loops found = {0};
-  hexcon_status status = surface_build(context, NULL, surface_used_point_count(quads, quad_count),
-                                       quads, quad_count, &s);
+  size_t point_count = quad_count <= CONTEXT_MAX_COUNT / 4
+                           ? surface_used_point_count(quads, quad_count)
+                           : 0; /* too large, as surface_build finds */
+  hexcon_status status = surface_build(context, NULL, point_count, quads, quad_count, &s);
   if (!status)
     status = surface_find_loops(context, &s, &found);
   if (!status)

@@ -7,9 +7,12 @@
 
 #include "base/vector.h"
 #include "hex_tables.h"
+#include "jacobian_exact.h"
 
-/** Bisections along the deepest path: 8 in each direction, boxes of 1/256 of the hex. */
-enum { MAX_DEPTH = 24 };
+enum {
+  MAX_DEPTH = 24,     /* bisections along the deepest path: boxes of 1/256 of the hex */
+  MAX_BOXES = 1 << 16 /* in all; only a Jacobian that all but vanishes on a surface needs more */
+};
 
 /** Bernstein coefficients on a box of the hex, [i][j][k] of degree 2 each, and a bound on the
  * absolute error of any of them. */
@@ -20,23 +23,26 @@ typedef struct box_coefficients {
 } box_coefficients;
 
 /** edges[axis][m]: the edge along `axis` whose position across it is given by the bits of m, lower
- * axis first. Returns false if some edge vector overflows. */
+ * axis first. Returns false if some edge vector overflows or is no number. */
 static bool collect_edges(const double *points, const int32_t *hex, double edges[3][4][3],
                           double *largest) {
   double corners[8][3];
   for (int i = 0; i < 8; i++)
     memcpy(corners[hex_corner_bits[i]], points + 3 * (size_t)hex[i], sizeof corners[0]);
+  bool finite = true;
   *largest = 0;
   for (int axis = 0; axis < 3; axis++) {
     int low = axis == 0 ? 1 : 0, high = axis == 2 ? 1 : 2;
     for (int m = 0; m < 4; m++) {
       int start = ((m & 1) << low) | ((m >> 1) << high);
       vector_subtract(corners[start | (1 << axis)], corners[start], edges[axis][m]);
-      for (int i = 0; i < 3; i++)
+      for (int i = 0; i < 3; i++) {
+        finite &= isfinite(edges[axis][m][i]) != 0; /* fmax drops what is no number */
         *largest = fmax(*largest, fabs(edges[axis][m][i]));
+      }
     }
   }
-  return isfinite(*largest);
+  return finite;
 }
 
 /** Scale all edges by one power of two, exactly, so that their products neither over- nor
@@ -100,14 +106,15 @@ static double smallest_value(const box_coefficients *box, double *largest) {
   return smallest;
 }
 
-/** Corner coefficients are values of the Jacobian: one surely negative decides. */
-static bool has_negative_corner(const box_coefficients *box) {
+/** Corner coefficients are values of the Jacobian: one surely negative decides, one too close to
+ * zero cannot be proved positive. */
+static double smallest_corner(const box_coefficients *box) {
+  double smallest = box->value[0][0][0];
   for (int i = 0; i < 3; i += 2)
     for (int j = 0; j < 3; j += 2)
       for (int k = 0; k < 3; k += 2)
-        if (box->value[i][j][k] < -box->error)
-          return true;
-  return false;
+        smallest = fmin(smallest, box->value[i][j][k]);
+  return smallest;
 }
 
 /** de Casteljau at 1/2 along one axis. Averages of values below `largest`: each of the two
@@ -134,30 +141,33 @@ static void bisect(const box_coefficients *box, double largest, box_coefficients
   low->depth = high->depth = box->depth + 1;
 }
 
-/** Depth-first over boxes; the stack holds one sibling per level. */
+/** Depth-first over boxes; the stack holds one sibling per level. Once some point is undecided,
+ * only boxes that may hold a negative value are looked at. */
 static jacobian_sign prove_by_bisection(const box_coefficients *whole) {
   box_coefficients stack[MAX_DEPTH + 2];
-  int top = 0;
+  int top = 0, boxes = 0;
   stack[top++] = *whole;
   bool undecided = false;
   while (top > 0) {
     box_coefficients box = stack[--top];
-    double largest, smallest = smallest_value(&box, &largest);
+    double largest, smallest = smallest_value(&box, &largest), corner = smallest_corner(&box);
     if (smallest > box.error)
       continue;
-    if (has_negative_corner(&box))
+    if (corner < -box.error)
       return JACOBIAN_NONPOSITIVE;
-    if (box.depth == MAX_DEPTH) {
-      undecided = true;
+    undecided |= corner <= box.error || box.depth == MAX_DEPTH;
+    if (++boxes == MAX_BOXES)
+      return JACOBIAN_UNDECIDED;
+    if (box.depth == MAX_DEPTH || (undecided && smallest >= -box.error))
       continue;
-    }
     bisect(&box, largest, &stack[top], &stack[top + 1]);
     top += 2;
   }
   return undecided ? JACOBIAN_UNDECIDED : JACOBIAN_POSITIVE;
 }
 
-jacobian_sign prove_jacobian_sign(const double *points, const int32_t *hex) {
+/** The filter: nearly every hex is decided here. */
+static jacobian_sign prove_in_doubles(const double *points, const int32_t *hex) {
   double edges[3][4][3], largest;
   if (!collect_edges(points, hex, edges, &largest) || largest < DBL_MIN)
     return JACOBIAN_UNDECIDED;
@@ -165,4 +175,9 @@ jacobian_sign prove_jacobian_sign(const double *points, const int32_t *hex) {
   box_coefficients whole = {.error = coefficient_error(product), .depth = 0};
   sum_coefficients(edges, whole.value);
   return prove_by_bisection(&whole);
+}
+
+jacobian_sign prove_jacobian_sign(const double *points, const int32_t *hex) {
+  jacobian_sign sign = prove_in_doubles(points, hex);
+  return sign == JACOBIAN_UNDECIDED ? prove_jacobian_sign_exactly(points, hex) : sign;
 }

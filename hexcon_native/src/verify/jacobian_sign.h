@@ -7,15 +7,16 @@
 
 typedef enum jacobian_sign {
   JACOBIAN_POSITIVE,    /**< proved positive on the whole closed hex */
-  JACOBIAN_NONPOSITIVE, /**< proved negative at some point of the hex */
-  JACOBIAN_UNDECIDED    /**< too close to zero for double precision, or out of depth */
+  JACOBIAN_NONPOSITIVE, /**< proved zero or negative at some point of the hex */
+  JACOBIAN_UNDECIDED    /**< touches zero inside as far as can be told; see jacobian_exact.h */
 } jacobian_sign;
 
 /**
  * Sign of the Jacobian determinant of the trilinear map of a hex.
  * The determinant is a polynomial of degree 2 in each direction; its 27 Bernstein coefficients
- * bound it, and bisection makes the bound tight. All arithmetic is in double precision with a
- * running bound on its rounding error, so that the two decided answers are theorems.
+ * bound it, and bisection makes the bound tight. Arithmetic is in double precision with a running
+ * bound on its rounding error, and exact where that bound leaves the sign open, so that the two
+ * decided answers are theorems.
  * @param hex 8 ids, VTK order
  * Source: Johnen, Weill, Remacle, Robust and efficient validation of the linear hexahedral element
  * (2017), for the coefficients; the error bound is ours.

@@ -63,6 +63,7 @@ typedef struct stamps {
 /** Count the edges at a point; false if one of them has several fans of hexes. */
 static bool count_edges_at(link_sets *sets, const int32_t *hexes, const corner_table *corners,
                            int32_t v, stamps *seen, int64_t *edges) {
+  bool single = true;
   *edges = 0;
   for (size_t i = corners->starts[v]; i < corners->starts[v + 1]; i++) {
     int32_t hex = corners->corners[i] / 8, local = corners->corners[i] % 8;
@@ -74,12 +75,12 @@ static bool count_edges_at(link_sets *sets, const int32_t *hexes, const corner_t
         seen->point[other] = v;
         seen->fan[other] = fan;
         ++*edges;
-      } else if (seen->fan[other] != fan) {
-        return false;
+      } else {
+        single &= seen->fan[other] == fan;
       }
     }
   }
-  return true;
+  return single;
 }
 
 /** Faces at a point, inner ones counted once; `open` tells whether one is on the boundary. */

@@ -5,17 +5,36 @@
 #include "hex_arrays.h"
 #include "hex_tables.h"
 
+/** Cubes of lengths within these bounds neither over- nor underflow. */
+static const double tiny = 1e-90, huge = 1e90;
+
+/** A power of two that brings the longest edge near 1; 1 where no scaling is needed. */
+static double scale_of(const double *points, const int32_t *hex) {
+  double largest = 0;
+  for (int e = 0; e < 12; e++)
+    for (int i = 0; i < 3; i++)
+      largest = fmax(largest, fabs(points[3 * (size_t)hex[hex_edges[e][1]] + (size_t)i] -
+                                   points[3 * (size_t)hex[hex_edges[e][0]] + (size_t)i]));
+  if ((largest > tiny && largest < huge) || largest == 0 || !isfinite(largest))
+    return 1;
+  int exponent;
+  (void)frexp(largest, &exponent);
+  return ldexp(1, exponent < -1000 ? 1000 : -exponent);
+}
+
 double scaled_jacobian(const double *points, const int32_t *hex) {
-  double smallest = 1;
+  double smallest = 1, scale = scale_of(points, hex);
   for (int corner = 0; corner < 8; corner++) {
     double edges[3][3], lengths = 1;
     for (int i = 0; i < 3; i++) {
       vector_subtract(points + 3 * (size_t)hex[hex_corner_neighbours[corner][i]],
                       points + 3 * (size_t)hex[corner], edges[i]);
+      for (int k = 0; k < 3; k++)
+        edges[i][k] *= scale;
       lengths *= vector_length(edges[i]);
     }
     double value = lengths > 0 ? vector_determinant(edges[0], edges[1], edges[2]) / lengths : -1;
-    smallest = fmin(smallest, value);
+    smallest = value >= -1 ? fmin(smallest, value) : -1; /* also where it is no number */
   }
   return smallest;
 }

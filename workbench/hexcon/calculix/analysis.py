@@ -15,6 +15,7 @@ from hexcon.femmesh.elements import elements_of
 from . import constraints as make
 from . import frd
 from .freecad_deck import correct_loads
+from .loads import force_vector
 from .material import material_of
 from .result import Result
 from .runner import find_ccx, run_ccx
@@ -67,10 +68,7 @@ def _without_zeros(force):
     """Forces as arrays (3,); a zero force has no direction and is left out."""
     arrays = {}
     for name, vector in (force or {}).items():
-        vector = np.asarray(vector, float)
-        if vector.shape != (3,) or not np.isfinite(vector).all():
-            raise ToolError(f"force on {name}: three finite numbers are needed",
-                            FaultCode.BAD_OPTION)
+        vector = force_vector(name, vector)
         if vector.any():
             arrays[name] = vector
     return arrays

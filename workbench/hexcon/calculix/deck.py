@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A full linear static deck without FreeCAD."""
 import io
+import math
 
 import numpy as np
 
@@ -9,7 +10,7 @@ from hexcon.femmesh.elements import elements_of
 from hexcon.files.abaqus import write_mesh
 from hexcon.files.text import write_list, write_rows
 
-from .loads import face_force
+from .loads import face_force, force_vector
 from .material import material_of
 
 
@@ -78,10 +79,11 @@ def write_forces(out, elements, force, node_ids=None):
 
     node_ids (P,): the deck's number of each node; rows + 1 if None."""
     for name, vector in (force or {}).items():
+        vector = force_vector(name, vector)
         nodes, loads = face_force(elements, face_number(name), vector)
         numbers = nodes + 1.0 if node_ids is None else node_ids[nodes].astype(float)
         out.write(f"** force on {name}\n*CLOAD\n")
-        for dof in np.flatnonzero(np.asarray(vector, float)):
+        for dof in np.flatnonzero(vector):
             write_rows(out, f"%d, {dof + 1}, %.12e\n",
                        np.column_stack([numbers, loads[:, dof]]))
 
@@ -91,6 +93,8 @@ def write_pressures(out, elements, pressure, hex_ids=None, sides=None):
     label of each row of hexahedron.FACES, 1..6 if None."""
     sides = np.arange(1, 7) if sides is None else sides
     for name, value in (pressure or {}).items():
+        if not math.isfinite(value):
+            raise ToolError(f"pressure on {name}: a finite number is needed", FaultCode.BAD_OPTION)
         rows = elements.quads_of_face(face_number(name))
         hexes = elements.hex_of_quad[rows]
         numbers = hexes + 1 if hex_ids is None else hex_ids[hexes]

@@ -2,6 +2,8 @@
 """Consistent nodal loads of a force spread evenly over the quads of a CAD face."""
 import numpy as np
 
+from hexcon.errors import FaultCode, ToolError
+
 _G2 = 1 / np.sqrt(3.0)
 _G3 = np.sqrt(0.6)
 _RULE = {4: ([-_G2, _G2], [1.0, 1.0]), 8: ([-_G3, 0.0, _G3], [5 / 9, 8 / 9, 5 / 9])}
@@ -43,6 +45,15 @@ def node_areas(points, quads):
             size = np.linalg.norm(np.cross(tangents[:, 0], tangents[:, 1]), axis=1)
             areas += wu * wv * size[:, None] * values
     return areas
+
+
+def force_vector(name, force):
+    """The force on a named face as (3,) float64. Raises ToolError(BAD_OPTION)."""
+    vector = np.asarray(force, float)
+    if vector.shape != (3,) or not np.isfinite(vector).all():
+        raise ToolError(f"force on {name}: three finite numbers are needed",
+                        FaultCode.BAD_OPTION)
+    return vector
 
 
 def face_force(elements, face_number, force):

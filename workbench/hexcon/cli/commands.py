@@ -102,8 +102,8 @@ def check(options):
              f"{found.order}, {len(found.quads)} boundary quads", _quality_line(quality),
              _certificate_line(certificate, 1 if len(curved) else found.order)]
     if len(curved):
-        lines.append(f"              {len(curved)} hexes have middle nodes off the middles of their "
-                     "edges; the above is of straight edges, and nothing is proved of the curved")
+        lines.append(f"              {len(curved)} hexes have middle nodes off the middles of "
+                     "their edges; the above is of straight edges, of the curved nothing is proved")
     for name, ids in (("not positive", certificate.nonpositive),
                       ("improper", certificate.improper), ("curved", curved)):
         if len(ids):

@@ -55,6 +55,10 @@ def _written(path):
 def read_med(path):
     """(points, hexes, faces) of a .med file through FreeCAD; see abaqus.read."""
     from hexcon.femmesh.convert import from_femmesh
-    mesh = from_femmesh(freecad_compat.fem_module("Fem").read(path))
+    femmesh = freecad_compat.fem_module("Fem").read(path)
+    if not femmesh.NodeCount:
+        raise ToolError(f"FreeCAD finds no mesh in {path}: it looks for one that is called like the "
+                        "file, so give a renamed file its first name back", FaultCode.FILE_FORMAT)
+    mesh = from_femmesh(femmesh)
     faces = None if mesh.quads is None else (mesh.quads, mesh.face_of_quad)
     return mesh.points, mesh.hexes, faces

@@ -49,6 +49,8 @@ def mesh_solid(shape_or_file, size, *, surface_method="auto", method="auto", tim
     1-based CAD face of each boundary quad) and .solid (shape_or_file).
     Raises HexconError: those of quads.surface_from_solid and hexcon_native.mesh.
     """
+    hexcon_native.check_options(method, order=options.get("order", 1),
+                                threads=options.get("threads", 0))
     started = time.monotonic()
     surface = surface_from_solid(shape_or_file, size, surface_method, timeout=timeout,
                                  progress=_raising(progress))

@@ -4,7 +4,7 @@ import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
 
-from .surface import finished
+from .surface import given
 
 # Faces of the volume cells, as corner numbers; their sense is settled by surface.orient.
 _TRIANGLES = {"tetra": ((0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3)),
@@ -21,7 +21,7 @@ def surface_from_cells(points, cells, notes=()):
 
     The quad elements are taken if they close; with volume cells present and the quads absent or open, the outer
     faces of the volume cells. Coincident points are merged only where the surface is open without.
-    Raises ToolError NOT_ALL_QUAD (elements: the triangles), BAD_SHAPE, ODD_SURFACE.
+    Raises ToolError NOT_ALL_QUAD (elements: the triangles), BAD_SHAPE.
     """
     cells = {k: np.asarray(c, np.int64).reshape(-1, CORNERS[k]) for k, c in cells.items() if len(c)}
     for kind, rows in cells.items():
@@ -69,22 +69,18 @@ def _refuse_triangles(triangles, quads):
 
 
 def _closed(points, quads, notes):
-    """finished(); where the surface is open, once more with coincident points merged."""
+    """given(); where the surface is open, once more with coincident points merged."""
     try:
-        return finished(points, quads, None, "given", notes)
+        return given(points, quads, notes)
     except ToolError as fault:
-        if fault.code is not FaultCode.BAD_SHAPE:
-            raise
         same = coincident(points)
         if len(np.unique(same)) == len(points):
             raise
         merged = same[quads]
         notes = notes + [f"{len(points) - len(np.unique(same))} points merged with others at the same place"]
         try:
-            return finished(points, merged, None, "given", notes)
-        except ToolError as second:
-            if second.code is FaultCode.ODD_SURFACE:
-                raise
+            return given(points, merged, notes)
+        except ToolError:
             raise fault from None
 
 

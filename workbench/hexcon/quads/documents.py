@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Quad surfaces and solids from FreeCAD documents."""
+import zipfile
+import zlib
+
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
@@ -61,6 +64,7 @@ def shape_in_document_file(path):
     except ImportError as error:
         raise ToolError("a .FCStd file needs FreeCAD's Python modules; export STEP or BREP instead, or run this in "
                         "freecadcmd", FaultCode.FREECAD_MISSING) from error
+    _check_archive(path)
     try:
         document = FreeCAD.openDocument(path, True)
     except Exception as error:
@@ -73,6 +77,17 @@ def shape_in_document_file(path):
         return tops[0].Shape.copy()
     finally:
         FreeCAD.closeDocument(document.Name)
+
+
+def _check_archive(path):
+    """FreeCAD may crash on a damaged file: its checksums are looked at first. Raises ToolError FILE_FORMAT."""
+    try:
+        with zipfile.ZipFile(path) as archive:
+            damaged = archive.testzip()
+    except (zipfile.BadZipFile, zlib.error, NotImplementedError, EOFError) as error:
+        raise ToolError(f"{path} is no FreeCAD document, or damaged: {error}", FaultCode.FILE_FORMAT) from error
+    if damaged:
+        raise ToolError(f"{path} is damaged: the checksum of {damaged} in it is wrong", FaultCode.FILE_FORMAT)
 
 
 def _top_solids(document):

@@ -20,7 +20,8 @@ def surface_from_file(path):
     The file's quad elements, in the file's order; or, if it has volume elements and no closed set of quads, the
     outer faces of these. Second-order elements give their corners. Unused points are dropped, coincident points
     merged only if the surface is open otherwise; notes tell.
-    Raises ToolError FILE_IO, FILE_FORMAT, NOT_ALL_QUAD (says how many triangles), BAD_SHAPE, ODD_SURFACE.
+    Raises ToolError FILE_IO, FILE_FORMAT, NOT_ALL_QUAD (says how many triangles), BAD_SHAPE. An odd surface, or one
+    of several parts, is returned: that is for the core to judge.
     """
     path = os.fspath(path)
     ending = os.path.splitext(path)[1].lower()
@@ -31,7 +32,10 @@ def surface_from_file(path):
                         FaultCode.FILE_FORMAT)
     points, cells, second = _read(path, ending)
     notes = ["second-order elements: their mid-side points are dropped"] if second else []
-    return surface_from_cells(points, cells, notes)
+    try:
+        return surface_from_cells(points, cells, notes)
+    except ValueError as error:     # rows of unequal length, of a damaged file
+        raise ToolError(f"cannot read {path} as {ending}: {error}", FaultCode.FILE_FORMAT) from error
 
 
 def _read(path, ending):
@@ -96,14 +100,38 @@ def _read_vtk(path):
     data = reader.GetOutput()
     if data is None or not data.GetNumberOfCells():
         raise ValueError("VTK finds no cells in it")
-    points, parts, second = vtk_to_numpy(data.GetPoints().GetData()).astype(float), {}, False
-    for i in range(data.GetNumberOfCells()):
-        cell = data.GetCell(i)
-        code, count = cell.GetCellType(), cell.GetNumberOfPoints()
+    points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+    parts, second = {}, False
+    for (code, count), rows in _rows_by_kind(data, len(points)).items():
         kind = {3: "triangle", 4: "quad"}.get(count, "polygon") if code == 7 else _VTK_KINDS.get(code)
         if kind == "polygon":
             raise ValueError(f"a polygon with {count} sides")
+        if kind and count < CORNERS[kind]:
+            raise ValueError(f"a {kind} with {count} points")
         if kind:
             second |= code > 20
-            parts.setdefault(kind, []).append([cell.GetPointId(k) for k in range(CORNERS[kind])])
-    return points, parts, second
+            parts.setdefault(kind, []).append(rows[:, :CORNERS[kind]])
+    return points, {k: np.concatenate(p) for k, p in parts.items()}, second
+
+
+def _rows_by_kind(data, point_count):
+    """{(VTK cell type, points): (k, points) rows}. From the bare arrays, checked: on a damaged file VTK's own
+    access by cell reads anywhere."""
+    from vtk.util.numpy_support import vtk_to_numpy
+    if data.IsA("vtkPolyData"):
+        cells, codes = data.GetPolys(), None
+    elif data.IsA("vtkUnstructuredGrid"):
+        cells, codes = data.GetCells(), vtk_to_numpy(data.GetCellTypesArray())
+    else:
+        raise ValueError(f"a {data.GetClassName()[3:]}, not an unstructured mesh")
+    offsets, ids = (vtk_to_numpy(a).astype(np.int64) for a in (cells.GetOffsetsArray(), cells.GetConnectivityArray()))
+    codes = np.full(len(offsets) - 1, 7) if codes is None else codes
+    counts = np.diff(offsets)
+    if (len(codes) != len(counts) or (counts < 0).any() or offsets[0] != 0 or offsets[-1] > len(ids)
+            or ids.min(initial=0) < 0 or ids.max(initial=0) >= point_count):
+        raise ValueError("its cells name points that do not exist")
+    found = {}
+    for code, count in {(int(c), int(n)) for c, n in zip(codes, counts)}:
+        starts = offsets[:-1][(codes == code) & (counts == count)]
+        found[code, count] = ids[starts[:, None] + np.arange(count)]
+    return found

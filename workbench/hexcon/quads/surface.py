@@ -94,12 +94,40 @@ def _volumes(points, quads):
     return (half * p.mean(axis=1)).sum(axis=1) / 3.0
 
 
-def finished(points, quads, faces, method, notes):
-    """A checked QuadSurface: unused points dropped, closed, outward.
+def given(points, quads, notes):
+    """A QuadSurface "given": unused points dropped, closed, turned outward with a note.
 
-    points (V,3), quads (n,4), faces (n,) or None. Raises ToolError BAD_SHAPE (not closed, not orientable,
+    points (V,3), quads (n,4). An odd number of quads or several parts are left for the core to judge.
+    Raises ToolError BAD_SHAPE (not closed, not orientable, a repeated vertex, NaN).
+    """
+    points, before = _packed(points, quads)
+    quads, _ = orient(points, before)
+    turned = int((quads != before).any(axis=1).sum())
+    if turned:
+        notes = [*notes, "all quads faced inward and were turned" if turned == len(quads)
+                 else f"{turned} quads were oriented against the others, or inward, and were turned"]
+    return QuadSurface(points, np.ascontiguousarray(quads), np.zeros(len(quads), np.int64), "given", list(notes))
+
+
+def finished(points, quads, faces, method, notes):
+    """The QuadSurface of one solid: unused points dropped, closed, outward, even, in one part.
+
+    points (V,3), quads (n,4), faces (n,). Raises ToolError BAD_SHAPE (not closed, not orientable,
     a repeated vertex, NaN, several components) or ODD_SURFACE.
     """
+    points, quads = _packed(points, quads)
+    quads, components = orient(points, quads)
+    if components > 1:
+        raise ToolError(f"the surface has {components} separate parts (a cavity, or several bodies); one is needed",
+                        FaultCode.BAD_SHAPE)
+    if len(quads) % 2:
+        raise ToolError(f"the number of quads is odd ({len(quads)}): no hexahedral mesh has such a boundary",
+                        FaultCode.ODD_SURFACE)
+    return QuadSurface(points, np.ascontiguousarray(quads), np.asarray(faces, np.int64), method, list(notes))
+
+
+def _packed(points, quads):
+    """points (V,3) float64 and quads (n,4) int64, checked one by one, without unused points."""
     points, quads = np.asarray(points, np.float64), np.asarray(quads, np.int64)
     if not len(quads):
         raise ToolError("there are no quads", FaultCode.BAD_SHAPE)
@@ -110,13 +138,4 @@ def finished(points, quads, faces, method, notes):
     if repeated.any():
         raise ToolError("a quad names one point twice", FaultCode.BAD_SHAPE, np.flatnonzero(repeated))
     used, packed = np.unique(quads, return_inverse=True)
-    points, quads = points[used], packed.reshape(-1, 4).astype(np.int64)
-    quads, components = orient(points, quads)
-    if components > 1:
-        raise ToolError(f"the surface has {components} separate parts (a cavity, or several bodies); one is needed",
-                        FaultCode.BAD_SHAPE)
-    if len(quads) % 2:
-        raise ToolError(f"the number of quads is odd ({len(quads)}): no hexahedral mesh has such a boundary",
-                        FaultCode.ODD_SURFACE)
-    faces = np.zeros(len(quads), np.int64) if faces is None else np.asarray(faces, np.int64)
-    return QuadSurface(points, np.ascontiguousarray(quads), faces, method, list(notes))
+    return points[used], packed.reshape(-1, 4).astype(np.int64)

@@ -94,17 +94,19 @@ def _collect(face, boundary):
         if kind in found:
             found[kind] = new[row[np.asarray(nodes, int)]].reshape(-1, 3 if kind == 2 else 4)
     points = points[order]
-    return points, _left_turning(points, found[2]), _left_turning(points, found[3])
+    areas = [_areas(points, found[kind]) for kind in (2, 3)]
+    # all or none: gmsh leaves cells inverted now and then, and these are for the smoother to untangle;
+    # turned one by one they would be folded over for good
+    if np.concatenate(areas).sum() < 0:
+        found = {kind: cells[:, ::-1] for kind, cells in found.items()}
+    return points, found[2], found[3]
 
 
-def _left_turning(points, cells):
-    if not len(cells):
-        return cells
+def _areas(points, cells):
+    """(n,) twice the signed area of each cell."""
     p = points[cells]
     q = np.roll(p, -1, axis=1)
-    area = (p[..., 0] * q[..., 1] - p[..., 1] * q[..., 0]).sum(1)
-    cells[area < 0] = cells[area < 0][:, ::-1]
-    return cells
+    return (p[..., 0] * q[..., 1] - p[..., 1] * q[..., 0]).sum(1)
 
 
 def split_all(points, tris, quads, coarse, boundary):

@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/** The sign of a hex's Jacobian in exact arithmetic, for what rounding could decide. */
+#ifndef HEXCON_VERIFY_JACOBIAN_EXACT_H
+#define HEXCON_VERIFY_JACOBIAN_EXACT_H
+
+#include "jacobian_sign.h"
+
+/**
+ * As prove_jacobian_sign, with every Bernstein coefficient exact: a corner of exactly zero is told
+ * from one that is just positive. Some thousand times as slow as the filter before it.
+ * UNDECIDED is left for Jacobians that touch zero inside the hex without a sign change at any
+ * dyadic point tried, and for coordinates whose products span more than a double's range.
+ */
+jacobian_sign prove_jacobian_sign_exactly(const double *points, const int32_t *hex);
+
+#endif
