@@ -53,17 +53,21 @@ def _points(points):
     return array
 
 
-def _ids(ids, width, name):
-    """Rows of 0-based ids as contiguous int32; ids that int32 cannot hold are out of range."""
+def _rectangular(ids, name):
     try:
-        array = np.asarray(ids)
+        return np.asarray(ids)
     except ValueError as fault:
         raise HexconError(f"{name} must be a rectangular array of ids",
                           ErrorCode.WRONG_SHAPE) from fault
+
+
+def _ids(ids, width, name):
+    """Rows of 0-based ids as contiguous int32; ids that int32 cannot hold are out of range."""
+    array = _rectangular(ids, name)
     if array.ndim != 2 or array.shape[1] != width:
         raise HexconError(f"{name} must have shape (., {width}), not {array.shape}",
                           ErrorCode.WRONG_SHAPE)
-    if array.dtype.kind not in "iu":
+    if array.dtype.kind not in "iu" and array.size:  # an empty list is float64 to numpy
         raise HexconError(f"{name} must be integers, not {array.dtype}", ErrorCode.WRONG_TYPE)
     wide = (array < 0) | (array > np.iinfo(np.int32).max)
     if wide.any():
@@ -75,7 +79,7 @@ def _ids(ids, width, name):
 
 def _hexes(hexes):
     """Rows of 8 ids; of second-order hexes (20 ids) the corners, as their edges are straight."""
-    array = np.asarray(hexes)
+    array = _rectangular(hexes, "hexes")
     if array.ndim == 2 and array.shape[1] == 20:
         array = array[:, :8]
     return _ids(array, 8, "hexes")
@@ -339,7 +343,7 @@ def _boundary_points(hexes, point_count):
 def _fixed_mask(fixed, hexes, point_count):
     if fixed is None:
         return _boundary_points(hexes, point_count)
-    fixed = np.asarray(fixed)
+    fixed = _rectangular(fixed, "fixed")
     if fixed.dtype == bool:
         if fixed.shape != (point_count,):
             raise HexconError(f"fixed must have shape ({point_count},), not {fixed.shape}",

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Swept surfaces of many kinds and numberings: exact counts, certified by an independent judge."""
+from fractions import Fraction
+
 import numpy as np
 import pytest
+from scipy.optimize import linprog
 from scipy.spatial import cKDTree
 
 import hexcon_native as hn
@@ -244,6 +247,95 @@ def test_jacobian_judges_agree(spread):
     samples = mesh_checker.jacobians(points[hexes], np.random.default_rng(1).random((200, 3)))
     positive = np.setdiff1d(np.arange(len(hexes)), ours)
     assert (samples[positive] > 0).all()
+
+
+def exact_corner_jacobian(corners, i):
+    """The determinant at corner i in rational numbers; float64 values are rationals."""
+    x = [[Fraction(float(v)) for v in p] for p in corners]
+    rows = []
+    for axis in range(3):
+        toward = mesh_checker.CORNERS[i].copy()
+        toward[axis] ^= 1
+        j = int(np.flatnonzero((mesh_checker.CORNERS == toward).all(axis=1))[0])
+        sign = 1 if mesh_checker.CORNERS[j, axis] else -1
+        rows.append([sign * (b - a) for a, b in zip(x[i], x[j])])
+    a, b, c = rows
+    return (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+            + a[2] * (b[0] * c[1] - b[1] * c[0]))
+
+
+def test_corners_within_rounding_of_flat():
+    """A corner in one plane with its neighbours up to rounding: the last bit decides."""
+    rng = np.random.default_rng(6)
+    hexes = np.arange(8)[None]
+    quads = hexes[:, mesh_checker.FACES].reshape(-1, 4)
+    signs = set()
+    for _ in range(400):
+        corners = mesh_checker.CORNERS + rng.uniform(-0.12, 0.12, (8, 3))
+        i = int(rng.integers(8))
+        near = np.abs(mesh_checker.CORNERS - mesh_checker.CORNERS[i]).sum(axis=1) == 1
+        corners[i] = rng.dirichlet([3, 3, 3]) @ corners[near]
+        corners *= 10.0 ** rng.integers(-30, 30)
+        exact = exact_corner_jacobian(corners, i)
+        signs.add(exact > 0)
+        certificate = hn.certify(corners, hexes, quads)
+        assert certificate.undecided == 0
+        if exact <= 0:
+            assert certificate.nonpositive.tolist() == [0]
+    assert signs == {True, False}
+
+
+def damaged(hexes, point_count, rng):
+    """One corner of one hex changed, or two corners exchanged, or a hex taken out or doubled."""
+    hexes, h, (a, b) = hexes.copy(), rng.integers(len(hexes)), rng.choice(8, 2, replace=False)
+    kind = rng.integers(4)
+    if kind == 0:
+        hexes[h, a] = rng.integers(point_count)
+    elif kind == 1:
+        hexes[h, [a, b]] = hexes[h, [b, a]]
+    elif kind == 2:
+        return np.delete(hexes, h, axis=0)
+    else:
+        return np.vstack([hexes, hexes[h]])
+    return hexes
+
+
+def test_judges_of_topology_agree():
+    """On damaged meshes, fact by fact."""
+    rng = np.random.default_rng(8)
+    mesh = hn.mesh(*make.prism(make.o_grid(2, 1), np.arange(4.0), make.upright))
+    samples = rng.random((200, 3))
+    for _ in range(150):
+        hexes = damaged(mesh.hexes, len(mesh.points), rng)
+        if any(len(set(h)) < 8 for h in hexes.tolist()):
+            continue
+        ours = hn.certify(mesh.points, hexes, mesh.quads)
+        assert ours.proper == (not mesh_checker.improper_pairs(hexes))
+        assert ours.conforming == (not mesh_checker.conformity_faults(hexes))
+        exact = not mesh_checker.boundary_faults(hexes, mesh.quads)
+        assert ours.boundary_exact == exact or (exact and not ours.conforming)
+        theirs = mesh_checker.nonpositive(mesh.points, hexes)  # in doubles: what is near 0 is out
+        assert np.isin(ours.nonpositive, theirs).all()
+        near = mesh.points[hexes[np.setdiff1d(theirs, ours.nonpositive)]]
+        assert (mesh_checker.jacobians(near, samples) > 0).all()
+        assert ours.euler == mesh_checker.euler(hexes)
+
+
+def test_star_center_is_deepest():
+    """Against scipy's linear programme, on surfaces with a kernel and without."""
+    rng = np.random.default_rng(4)
+    for _ in range(40):
+        points, quads = make.diced_hull(rng.normal(size=(10, 3)))
+        points = points * (1 + rng.uniform(-0.08, 0.08, (len(points), 1)))
+        here, after, before = points[quads], points[np.roll(quads, -1, 1)], points[np.roll(quads, 1, 1)]
+        normal = np.cross(after - here, before - here).reshape(-1, 3)
+        normal /= np.linalg.norm(normal, axis=1)[:, None]
+        offset = (normal * here.reshape(-1, 3)).sum(axis=1)
+        best = linprog([0, 0, 0, -1], np.column_stack([normal, np.ones(len(normal))]), offset,
+                       bounds=[(None, None)] * 4)
+        report = hn.check_surface(points, quads)
+        assert report.star_margin == pytest.approx(best.x[3], abs=1e-7)
+        assert (report.star_center is not None) == (best.x[3] > 0)
 
 
 def test_optimize_repairs():
