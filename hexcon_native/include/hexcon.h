@@ -165,7 +165,8 @@ typedef struct hexcon_certificate {
 
 /**
  * Prove a hex mesh: topology by counting, Jacobians by Bernstein coefficients with subdivision, a
- * rigorous bound on rounding, and exact arithmetic where that bound leaves the sign open. Shares no code with the builder. Linear.
+ * rigorous bound on rounding, and exact arithmetic where that bound leaves the sign open. Shares no
+ * code with the builder. Linear.
  * @param quads  [quad_count][4] the surface, outward
  * @param certificate  filled; free with hexcon_certificate_free
  * Errors: EMPTY, TOO_LARGE, INDEX_OUT_OF_RANGE, NOT_FINITE, REPEATED_VERTEX, OUT_OF_MEMORY,
@@ -213,9 +214,8 @@ typedef struct hexcon_second_order {
  * @param out  filled; free with hexcon_second_order_free
  * Errors: as hexcon_quality, OUT_OF_MEMORY.
  */
-hexcon_status hexcon_raise_order(hexcon_context *context, const double *points,
-                                 size_t point_count, const int32_t *hexes, size_t hex_count,
-                                 hexcon_second_order *out);
+hexcon_status hexcon_raise_order(hexcon_context *context, const double *points, size_t point_count,
+                                 const int32_t *hexes, size_t hex_count, hexcon_second_order *out);
 void hexcon_second_order_free(hexcon_context *context, hexcon_second_order *raised);
 
 typedef enum hexcon_method {
