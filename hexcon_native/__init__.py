@@ -5,6 +5,7 @@ Arrays in, arrays out, no other program. All ids are 0-based; quads are counter-
 from outside; hexes are in VTK order. The GIL is released while the core works; Ctrl-C and a
 `progress` callback cancel. Every fault is a HexconError with a code and the offending ids.
 """
+import contextlib
 import enum
 
 import numpy as np
@@ -149,6 +150,24 @@ class SurfaceReport:
                 f"{self.components} component(s), {'even' if self.even else 'odd'}, {self.loops}>")
 
 
+@contextlib.contextmanager
+def _packed_ids(quads):
+    """(quads with ids 0, 1, 2 ..., their old names or None): a stray large id costs no memory.
+
+    Points listed by an error inside get their names back.
+    """
+    if quads.size == 0 or quads.max() < 8 * quads.size:
+        yield quads, None
+        return
+    names, packed = np.unique(quads, return_inverse=True)
+    try:
+        yield np.ascontiguousarray(packed.reshape(quads.shape), dtype=np.int32), names
+    except HexconError as fault:
+        if fault.code in (ErrorCode.NON_MANIFOLD_VERTEX, ErrorCode.NOT_BIPARTITE):
+            fault.elements = names[fault.elements].tolist()
+        raise
+
+
 def check_surface(points, quads):
     """Check a surface and tell its facts.
 
@@ -172,7 +191,8 @@ def loops(quads):
 
     Every quad occurs twice in all. Raises as check_surface. Cost: linear in n.
     """
-    offsets, passed, _ = _core.loops(_ids(quads, 4, "quads"))
+    with _packed_ids(_ids(quads, 4, "quads")) as (packed, _):
+        offsets, passed, _ = _core.loops(packed)
     return np.split(_array(passed, np.int32), _array(offsets, np.uintp)[1:-1].astype(np.int64))
 
 
@@ -182,8 +202,13 @@ def colouring(quads):
     The lowest id of each component is black. Raises as check_surface, and NOT_BIPARTITE with the
     points of an odd cycle in order. Cost: linear in n and P.
     """
-    quads = _ids(quads, 4, "quads")
-    return _array(_core.colouring(quads, int(quads.max(initial=-1)) + 1), np.uint8)
+    with _packed_ids(_ids(quads, 4, "quads")) as (packed, names):
+        colours = _array(_core.colouring(packed, int(packed.max(initial=-1)) + 1), np.uint8)
+    if names is None:
+        return colours
+    spread = np.zeros(int(names[-1]) + 1, np.uint8)
+    spread[names] = colours
+    return spread
 
 
 # ------------------------------------------------------------------------------------------ meshes
@@ -363,7 +388,7 @@ def optimize(points, hexes, fixed=None, *, rounds=0, iterations=0, target=1.0, p
 
     points, hexes  as quality
     fixed          (P,) bool, or ids of the points that stay; None: those of the boundary
-    rounds         neighbourhoods tried at most (0: 12); iterations of the minimiser in each (0: 100)
+    rounds         neighbourhoods tried at most (0: 40); iterations of the minimiser in each (0: 100)
     target         stop when the worst scaled Jacobian reaches it
     Returns (P, 3) float64, never a worse mesh than it was given: no more inverted hexes, then no
     lower worst scaled Jacobian; hexes proved positive are counted, so a certified mesh stays so.

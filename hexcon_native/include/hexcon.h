@@ -37,7 +37,7 @@ typedef enum hexcon_status {
   HEXCON_EMPTY,               /**< no quads, or no hexes */
   HEXCON_INDEX_OUT_OF_RANGE,  /**< elements: quads (or hexes) */
   HEXCON_REPEATED_VERTEX,     /**< elements: quads (or hexes) */
-  HEXCON_NOT_FINITE,          /**< elements: points */
+  HEXCON_NOT_FINITE,          /**< elements: points; NaN, infinite, or beyond 1e100 */
   HEXCON_UNUSED_POINT,        /**< elements: points that no quad uses */
   HEXCON_NOT_CLOSED,          /**< elements: quads at open edges */
   HEXCON_NON_MANIFOLD_EDGE,   /**< elements: quads at edges with more than two quads */
@@ -181,7 +181,7 @@ void hexcon_certificate_free(hexcon_context *context, hexcon_certificate *certif
 
 /** Options of hexcon_optimize; zero means default. */
 typedef struct hexcon_optimize_options {
-  int max_rounds;     /**< of growing neighbourhoods; default 12 */
+  int max_rounds;     /**< of growing neighbourhoods; default 40 */
   int max_iterations; /**< of the minimiser per round; default 100 */
   double target;      /**< stop when the worst scaled Jacobian reaches it; default 1 */
 } hexcon_optimize_options;

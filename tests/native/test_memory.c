@@ -183,9 +183,12 @@ enum { CALL_COUNT = sizeof calls / sizeof *calls };
 
 /* --------------------------------------------------------------------------------- material */
 
-/** Sides that bend and swell, so that placement has to solve and improvement has to work. */
-static void twist(test_mesh *mesh, double height) {
+/** Sides that bend and swell and are rough, so that placement has to solve and improvement has to
+ * work: without the roughness, placement alone reaches what the surface allows. */
+static void twist(test_mesh *mesh, double height, uint64_t random) {
   for (size_t v = 0; v < mesh->surface_point_count; v++) {
+    for (size_t k = 0; k < 3; k++)
+      mesh->points[3 * v + k] += random_between(&random, -0.25, 0.25);
     double *p = mesh->points + 3 * v, t = p[2] / height, angle = 1.2 * t;
     double x = p[0] - 1.5, y = p[1] - 1.5, swell = 1 + 0.6 * t * (1 - t) * x * x;
     p[0] = swell * (cos(angle) * x - sin(angle) * y);
@@ -198,7 +201,7 @@ static int set_up(void **state) {
   uint64_t random = 21;
   m.swept = make_box(3, 2, 4);
   m.twisted = make_box(3, 3, 3);
-  twist(&m.twisted, 3);
+  twist(&m.twisted, 3, 7);
   m.not_swept = make_schneiders_pyramid();
   m.torus = make_torus(3, 4);
   m.scrambled = make_box(4, 3, 3);

@@ -97,7 +97,7 @@ static hexcon_status improve(hexcon_context *context, improvement *m,
 
 static void default_options(hexcon_optimize_options *options) {
   if (options->max_rounds == 0)
-    options->max_rounds = 12;
+    options->max_rounds = 40;
   if (options->max_iterations == 0)
     options->max_iterations = 100;
   if (options->target == 0)

@@ -124,6 +124,16 @@ static hexcon_status place_level(hexcon_context *context, placement *p, size_t l
   return HEXCON_OK;
 }
 
+/** Levels share extensions, so their order matters within the tolerance: it is taken from where
+ * the caps lie, not from how they are numbered. The direction is any that no part is built along.
+ */
+static bool runs_backwards(const placement *p) {
+  static const double direction[3] = {1, 0.6180339887, 0.3819660113};
+  double way[3];
+  vector_subtract(p->last.center, p->first.center, way);
+  return vector_dot(way, direction) < 0;
+}
+
 static hexcon_status place_levels(hexcon_context *context, placement *p) {
   const sweep_levels *levels = p->levels;
   collect_rim(p);
@@ -132,11 +142,12 @@ static hexcon_status place_levels(hexcon_context *context, placement *p) {
       rim_measure(p->points, level_ids(levels, 0), p->rim, p->rim_count, p->edges, p->edge_count);
   p->last = rim_measure(p->points, level_ids(levels, levels->rings), p->rim, p->rim_count, p->edges,
                         p->edge_count);
-  for (size_t level = 1; level < levels->rings; level++) {
+  bool backwards = runs_backwards(p);
+  for (size_t step = 1; step < levels->rings; step++) {
     hexcon_status status =
-        context_progress(context, "placement", (double)level / (double)levels->rings);
+        context_progress(context, "placement", (double)step / (double)levels->rings);
     if (!status)
-      status = place_level(context, p, level);
+      status = place_level(context, p, backwards ? levels->rings - step : step);
     if (status)
       return status;
   }

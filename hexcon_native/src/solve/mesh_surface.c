@@ -53,11 +53,13 @@ static hexcon_status certify(hexcon_context *context, const surface *s,
     context_add_element(context, c->nonpositive[i]);
   return context_fail(context, HEXCON_NOT_CERTIFIED,
                       "the mesh could not be certified: %zu of %zu hexes are not proved positive "
-                      "(listed)%s%s; refine the surface, or allow uncertified meshes to look at "
-                      "it",
+                      "(listed)%s%s; %s. Allow uncertified meshes to look at it",
                       c->nonpositive_count, mesh->hex_count,
                       c->conforming && c->proper ? "" : ", its complex is not proper",
-                      c->boundary_exact ? "" : ", its boundary differs from the surface");
+                      c->boundary_exact ? "" : ", its boundary differs from the surface",
+                      mesh->bound > 0 ? "a finer surface may help"
+                                      : "the surface's own corners leave no room for a valid hex "
+                                        "there");
 }
 
 static hexcon_status fill_surface(hexcon_context *context, const surface *s,

@@ -9,6 +9,7 @@
 #include "shape/improve.h"
 #include "shape/sweep_placement.h"
 #include "sweep_choice.h"
+#include "verify/hex_tables.h"
 #include "verify/scaled_jacobian.h"
 
 /** A worst scaled Jacobian as high as this leaves nothing that another sweep could better. */
@@ -27,6 +28,7 @@ typedef struct filling {
   size_t point_count, hex_count, rings, cap_quad_count, rounds;
   size_t inverted;
   double worst, mean;
+  double bound; /* of the worst scaled Jacobian, whatever the placement */
 } filling;
 
 static void filling_free(hexcon_context *context, filling *f) {
@@ -73,24 +75,26 @@ static double surface_bound(const surface *s) {
   return bound;
 }
 
-/** Scaled Jacobians of the hexes that cannot move. */
+/** Scaled Jacobians of the hex corners whose four points are all on the surface. */
 static double fixed_bound(const filling *f, size_t surface_points) {
   double bound = 1;
-  for (size_t h = 0; h < f->hex_count; h++) {
-    bool fixed = true;
-    for (size_t c = 0; c < 8; c++)
-      fixed &= (size_t)f->hexes[8 * h + c] < surface_points;
-    if (fixed)
-      bound = fmin(bound, f->quality[h]);
-  }
+  for (size_t h = 0; h < f->hex_count; h++)
+    for (int corner = 0; corner < 8; corner++) {
+      const int32_t *hex = f->hexes + 8 * h;
+      bool fixed = (size_t)hex[corner] < surface_points;
+      for (int i = 0; i < 3; i++)
+        fixed &= (size_t)hex[hex_corner_neighbours[corner][i]] < surface_points;
+      if (fixed)
+        bound = fmin(bound, corner_scaled_jacobian(f->points, hex, corner));
+    }
   return bound;
 }
 
 /** Improve what falls short of what the surface allows; nothing at all in most sweeps. */
 static hexcon_status improve_filling(hexcon_context *context, const surface *s, filling *f) {
-  double bound = fmin(surface_bound(s), fixed_bound(f, s->point_count));
-  hexcon_optimize_options options = {.target = fmax(near_the_bound * bound, least_target)};
-  if (f->worst >= options.target)
+  f->bound = fmin(surface_bound(s), fixed_bound(f, s->point_count));
+  hexcon_optimize_options options = {.target = fmax(near_the_bound * f->bound, least_target)};
+  if (f->worst >= options.target || f->bound <= 0) /* below 0 no placement is valid */
     return HEXCON_OK;
   uint8_t *fixed = context_allocate_zeroed(context, f->point_count, 1);
   if (!fixed)
@@ -189,6 +193,8 @@ static void hand_over(const filling *f, hexcon_mesh *mesh) {
   mesh_note(mesh, "cap quads", (double)f->cap_quad_count);
   mesh_note(mesh, "rings", (double)f->rings);
   mesh_note(mesh, "optimisation rounds", (double)f->rounds);
+  mesh_note(mesh, "surface bound", f->bound);
+  mesh->bound = f->bound;
 }
 
 hexcon_status mesh_swept(hexcon_context *context, const surface *s, hexcon_mesh *mesh) {

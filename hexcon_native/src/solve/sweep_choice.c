@@ -160,7 +160,9 @@ static sweep_candidate best_of_cyclic(const strip_table *strips, const bend_tabl
       mirror far = {strip_id, (near.middle + n) % (2 * n)};
       double score =
           (score_mirror(strips, table, near, rings) + score_mirror(strips, table, far, rings)) / 2;
-      if (score < best.score)
+      /* A tube's wall may count as caps or as sides: rounding must not decide between equals. */
+      bool equal = fabs(score - best.score) < 1e-9;
+      if (equal ? rings > best.rings : score < best.score)
         best = (sweep_candidate){near, rings, score};
     }
   return best;

@@ -3,6 +3,9 @@
 
 #include <math.h>
 
+/** Volumes of bodies larger than this leave the range of a double. */
+static const double largest_coordinate = 1e100;
+
 static hexcon_status check_counts(hexcon_context *context, size_t point_count, size_t quad_count) {
   if (quad_count == 0)
     return context_fail(context, HEXCON_EMPTY, "the surface has no quads");
@@ -57,13 +60,16 @@ static hexcon_status check_points(hexcon_context *context, const double *points,
                                   size_t point_count) {
   size_t bad = 0;
   for (size_t v = 0; v < point_count; v++)
-    if (!isfinite(points[3 * v]) || !isfinite(points[3 * v + 1]) || !isfinite(points[3 * v + 2])) {
+    if (!(fabs(points[3 * v]) <= largest_coordinate &&
+          fabs(points[3 * v + 1]) <= largest_coordinate &&
+          fabs(points[3 * v + 2]) <= largest_coordinate)) {
       context_add_element(context, (int32_t)v);
       bad++;
     }
   if (bad)
     return context_fail(context, HEXCON_NOT_FINITE,
-                        "%zu points (listed) have a coordinate that is NaN or infinite", bad);
+                        "%zu points (listed) have a coordinate that is NaN, infinite or beyond %g",
+                        bad, largest_coordinate);
   return HEXCON_OK;
 }
 

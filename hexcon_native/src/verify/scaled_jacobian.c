@@ -22,20 +22,27 @@ static double scale_of(const double *points, const int32_t *hex) {
   return ldexp(1, exponent < -1000 ? 1000 : -exponent);
 }
 
+static double corner_value(const double *points, const int32_t *hex, int corner, double scale) {
+  double edges[3][3], lengths = 1;
+  for (int i = 0; i < 3; i++) {
+    vector_subtract(points + 3 * (size_t)hex[hex_corner_neighbours[corner][i]],
+                    points + 3 * (size_t)hex[corner], edges[i]);
+    for (int k = 0; k < 3; k++)
+      edges[i][k] *= scale;
+    lengths *= vector_length(edges[i]);
+  }
+  double value = lengths > 0 ? vector_determinant(edges[0], edges[1], edges[2]) / lengths : -1;
+  return value >= -1 ? value : -1; /* also where it is no number */
+}
+
+double corner_scaled_jacobian(const double *points, const int32_t *hex, int corner) {
+  return corner_value(points, hex, corner, scale_of(points, hex));
+}
+
 double scaled_jacobian(const double *points, const int32_t *hex) {
   double smallest = 1, scale = scale_of(points, hex);
-  for (int corner = 0; corner < 8; corner++) {
-    double edges[3][3], lengths = 1;
-    for (int i = 0; i < 3; i++) {
-      vector_subtract(points + 3 * (size_t)hex[hex_corner_neighbours[corner][i]],
-                      points + 3 * (size_t)hex[corner], edges[i]);
-      for (int k = 0; k < 3; k++)
-        edges[i][k] *= scale;
-      lengths *= vector_length(edges[i]);
-    }
-    double value = lengths > 0 ? vector_determinant(edges[0], edges[1], edges[2]) / lengths : -1;
-    smallest = value >= -1 ? fmin(smallest, value) : -1; /* also where it is no number */
-  }
+  for (int corner = 0; corner < 8; corner++)
+    smallest = fmin(smallest, corner_value(points, hex, corner, scale));
   return smallest;
 }
 
