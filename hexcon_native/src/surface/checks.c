@@ -16,23 +16,23 @@ static hexcon_status check_counts(hexcon_context *context, size_t point_count, s
   return HEXCON_OK;
 }
 
-static hexcon_status check_indices(hexcon_context *context, size_t point_count,
-                                   const int32_t *quads, size_t quad_count) {
+hexcon_status check_ids(hexcon_context *context, size_t point_count, const int32_t *ids,
+                        size_t row_count, size_t width, const char *rows) {
   size_t bad = 0;
-  for (size_t q = 0; q < quad_count; q++) {
+  for (size_t row = 0; row < row_count; row++) {
     bool outside = false;
-    for (size_t corner = 0; corner < 4; corner++) {
-      int32_t v = quads[4 * q + corner];
+    for (size_t i = 0; i < width; i++) {
+      int32_t v = ids[width * row + i];
       outside |= v < 0 || (size_t)v >= point_count;
     }
     if (outside) {
-      context_add_element(context, (int32_t)q);
+      context_add_element(context, (int32_t)row);
       bad++;
     }
   }
   if (bad)
     return context_fail(context, HEXCON_INDEX_OUT_OF_RANGE,
-                        "%zu quads (listed) name points outside 0 .. %zd; ids are 0-based", bad,
+                        "%zu %s (listed) name points outside 0 .. %zd; ids are 0-based", bad, rows,
                         (ptrdiff_t)point_count - 1);
   return HEXCON_OK;
 }
@@ -56,20 +56,22 @@ static hexcon_status check_repeats(hexcon_context *context, const int32_t *quads
   return HEXCON_OK;
 }
 
-static hexcon_status check_points(hexcon_context *context, const double *points,
-                                  size_t point_count) {
+hexcon_status check_points(hexcon_context *context, const double *points, size_t point_count,
+                           double largest) {
   size_t bad = 0;
-  for (size_t v = 0; v < point_count; v++)
-    if (!(fabs(points[3 * v]) <= largest_coordinate &&
-          fabs(points[3 * v + 1]) <= largest_coordinate &&
-          fabs(points[3 * v + 2]) <= largest_coordinate)) {
+  for (size_t v = 0; v < point_count; v++) {
+    bool good = true; /* stays false for NaN, which compares false */
+    for (size_t i = 0; i < 3; i++)
+      good &= fabs(points[3 * v + i]) <= largest;
+    if (!good) {
       context_add_element(context, (int32_t)v);
       bad++;
     }
+  }
   if (bad)
     return context_fail(context, HEXCON_NOT_FINITE,
                         "%zu points (listed) have a coordinate that is NaN, infinite or beyond %g",
-                        bad, largest_coordinate);
+                        bad, largest);
   return HEXCON_OK;
 }
 
@@ -99,9 +101,9 @@ hexcon_status check_arrays(hexcon_context *context, const double *points, size_t
                            const int32_t *quads, size_t quad_count) {
   hexcon_status status = check_counts(context, point_count, quad_count);
   if (!status)
-    status = check_indices(context, point_count, quads, quad_count);
+    status = check_ids(context, point_count, quads, quad_count, 4, "quads");
   if (!status && points)
-    status = check_points(context, points, point_count);
+    status = check_points(context, points, point_count, largest_coordinate);
   if (!status)
     status = check_repeats(context, quads, quad_count);
   if (!status && points)

@@ -12,4 +12,13 @@
 hexcon_status check_arrays(hexcon_context *context, const double *points, size_t point_count,
                            const int32_t *quads, size_t quad_count);
 
+/** INDEX_OUT_OF_RANGE: rows of `width` ids that leave 0 .. point_count - 1. @param rows their name
+ */
+hexcon_status check_ids(hexcon_context *context, size_t point_count, const int32_t *ids,
+                        size_t row_count, size_t width, const char *rows);
+
+/** NOT_FINITE: points with a coordinate that is NaN or beyond `largest`. */
+hexcon_status check_points(hexcon_context *context, const double *points, size_t point_count,
+                           double largest);
+
 #endif

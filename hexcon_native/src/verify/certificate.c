@@ -10,6 +10,7 @@
 #include "jacobian_sign.h"
 #include "manifold.h"
 #include "proper.h"
+#include "surface/checks.h"
 
 static hexcon_status check_topology(hexcon_context *context, const int32_t *hexes, size_t hex_count,
                                     size_t point_count, const face_table *faces,
@@ -85,14 +86,7 @@ static hexcon_status check_quad_ids(hexcon_context *context, size_t point_count,
   if (quad_count > CONTEXT_MAX_COUNT / 4)
     return context_fail(context, HEXCON_TOO_LARGE, "%zu quads are more than 32-bit ids hold",
                         quad_count);
-  for (size_t i = 0; i < 4 * quad_count; i++)
-    if (quads[i] < 0 || (size_t)quads[i] >= point_count) {
-      context_add_element(context, (int32_t)(i / 4));
-      return context_fail(context, HEXCON_INDEX_OUT_OF_RANGE,
-                          "quad %zu names point %d, outside 0 .. %zd", i / 4, quads[i],
-                          (ptrdiff_t)point_count - 1);
-    }
-  return HEXCON_OK;
+  return check_ids(context, point_count, quads, quad_count, 4, "quads");
 }
 
 hexcon_status hexcon_certify(hexcon_context *context, const double *points, size_t point_count,

@@ -107,5 +107,11 @@ def _keep(tried, outline, name, counts, made):
     cap = CapMesh(name, counts, points, top, quads)
     low, mean = cap.quality()
     print(f"cap: {name}: {len(quads)} quads, scaled Jacobian {low:.3f} to mean {mean:.3f}")
-    if low > 0.01:
+    if low > 0.01 and _is_simple(quads):
         tried.append(cap)
+
+
+def _is_simple(quads):
+    """No directed edge twice: else the mesh is folded over, however good each of its quads looks."""
+    edges = np.stack([quads, np.roll(quads, -1, axis=1)], -1).reshape(-1, 2)
+    return len(np.unique(edges, axis=0)) == len(edges)
