@@ -2,6 +2,7 @@
 """What the scripts share that run inside FreeCAD's window: steps, waiting, clicks, pictures."""
 import contextlib
 import glob
+import contextlib
 import os
 import subprocess
 import threading
@@ -46,11 +47,9 @@ def find(kind, name):
 
 
 def picture(name):
-    """A picture of the whole screen; the 3D view does not show in a grab of the window."""
+    """A picture of the whole screen (ImageMagick); the 3D view does not show in a grab of the window."""
     settle()
-    path = os.path.join(OUT, name)
-    if subprocess.run(["import", "-window", "root", path], check=False).returncode:
-        FreeCADGui.getMainWindow().grab().save(path)
+    subprocess.run(["import", "-window", "root", os.path.join(OUT, name)], check=True)
 
 
 def select(thing, part=""):
@@ -148,6 +147,7 @@ def run(*steps, end=os._exit):
             status = 0
         except BaseException:
             say(traceback.format_exc())
-            picture("failure.png")
+            with contextlib.suppress(Exception):  # whatever is wrong, FreeCAD must end
+                picture("failure.png")
         end(status)
     QtCore.QTimer.singleShot(0, all_steps)
