@@ -2,7 +2,6 @@
 """What the scripts share that run inside FreeCAD's window: steps, waiting, clicks, pictures."""
 import contextlib
 import glob
-import contextlib
 import os
 import subprocess
 import threading
