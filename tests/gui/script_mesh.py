@@ -295,7 +295,7 @@ def saved_and_reloaded():
     path = os.path.join(OUT, "session.FCStd")
     state["doc"].saveAs(path)
     FreeCAD.closeDocument("Session")
-    doc = state["doc"] = FreeCAD.openDocument(path)
+    state["doc"] = FreeCAD.openDocument(path)
     settle()
     (made,) = meshes()
     assert made.FemMesh.HexaCount == state["count"]
