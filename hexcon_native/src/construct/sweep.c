@@ -5,7 +5,6 @@
 
 void sweep_free(hexcon_context *context, sweep *w) {
   context_free(context, w->cap_quads);
-  context_free(context, w->surface_quads);
   context_free(context, w->on_rim);
   context_free(context, w->ids);
   memset(w, 0, sizeof *w);
@@ -136,12 +135,10 @@ static hexcon_status assemble(hexcon_context *context, const surface *s, const r
   w->cap_quad_count = g->first_count;
   w->cap_point_count = number_cap_points(s, g, local);
   w->cap_quads = context_allocate(context, 4 * w->cap_quad_count, sizeof *w->cap_quads);
-  w->surface_quads = context_allocate(context, w->cap_quad_count, sizeof *w->surface_quads);
   w->on_rim = context_allocate_zeroed(context, w->cap_point_count, sizeof *w->on_rim);
   w->ids = context_allocate(context, (w->rings + 1) * w->cap_point_count, sizeof *w->ids);
-  if (!w->cap_quads || !w->surface_quads || !w->on_rim || !w->ids)
+  if (!w->cap_quads || !w->on_rim || !w->ids)
     return HEXCON_OUT_OF_MEMORY;
-  memcpy(w->surface_quads, g->queue, w->cap_quad_count * sizeof *w->surface_quads);
   fill_from_surface(s, r, g, local, w);
   number_inner_points(s, w);
   return HEXCON_OK;

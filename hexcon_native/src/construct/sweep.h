@@ -12,7 +12,6 @@ typedef struct sweep {
   size_t inner_point_count; /**< of them not on the rim */
   size_t point_count;       /**< of the whole mesh: the surface's, then the new ones */
   int32_t *cap_quads;       /**< [cap_quad_count][4] cap points, outward on the first cap */
-  int32_t *surface_quads;   /**< [cap_quad_count] the same quads' ids on the surface */
   uint8_t *on_rim;          /**< [cap_point_count] */
   int32_t *ids;             /**< [rings + 1][cap_point_count] points of the mesh; level 0 is the
                                  first cap, level `rings` the second */

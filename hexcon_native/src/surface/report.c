@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
 /** The public calls that tell facts of a surface. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "colouring.h"
