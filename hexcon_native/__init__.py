@@ -383,13 +383,14 @@ def _fixed_mask(fixed, hexes, point_count):
     return mask
 
 
-def optimize(points, hexes, fixed=None, *, rounds=0, iterations=0, target=1.0, progress=None):
+def optimize(points, hexes, fixed=None, *, rounds=0, target=1.0, threads=0, progress=None):
     """Untangle and improve a hex mesh of order 1 by moving its free points.
 
     points, hexes  as quality
     fixed          (P,) bool, or ids of the points that stay; None: those of the boundary
-    rounds         neighbourhoods tried at most (0: 40); iterations of the minimiser in each (0: 100)
-    target         stop when the worst scaled Jacobian reaches it
+    rounds         passes over what is inverted, and then over what can be better (0: 7)
+    target         what reaches this scaled Jacobian is left alone
+    threads        0: one per processor; the result does not depend on it
     Returns (P, 3) float64, never a worse mesh than it was given: no more inverted hexes, then no
     lower worst scaled Jacobian; hexes proved positive are counted, so a certified mesh stays so.
     Raises as certify, BAD_ARGUMENT, CANCELLED.
@@ -401,7 +402,7 @@ def optimize(points, hexes, fixed=None, *, rounds=0, iterations=0, target=1.0, p
                           f"{len(points) - 1}", ErrorCode.INDEX_OUT_OF_RANGE,
                           np.flatnonzero(outside))
     mask = _fixed_mask(fixed, hexes, len(points))
-    return _array(_core.optimize(points, hexes, mask, rounds, iterations, float(target), progress),
+    return _array(_core.optimize(points, hexes, mask, rounds, threads, float(target), progress),
                   np.float64, 3)
 
 

@@ -3,7 +3,7 @@
 # Install what is missing, and only that. Usage: setup.sh run|test
 # FREECADCMD set: that FreeCAD is used and Debian's is not installed.
 set -eu
-packages="gcc libc6-dev make cmake ninja-build python3-dev python3-numpy python3-scipy liblbfgs-dev
+packages="gcc libc6-dev make cmake ninja-build python3-dev python3-numpy python3-scipy
           gmsh python3-gmsh calculix-ccx python3-vtk9 python3-meshio xvfb xauth"
 [ -n "${FREECADCMD:-}" ] || packages="$packages freecad"
 if [ "$1" = test ]; then

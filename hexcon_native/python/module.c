@@ -180,7 +180,7 @@ static PyObject *optimize(PyObject *module, PyObject *arguments) {
   hexcon_optimize_options options = {0};
   PyObject *callback;
   if (!PyArg_ParseTuple(arguments, "y*y*y*iidO", &points, &hexes, &fixed, &options.max_rounds,
-                        &options.max_iterations, &options.target, &callback))
+                        &options.threads, &options.target, &callback))
     return NULL;
   run r;
   PyObject *positions = PyByteArray_FromStringAndSize(points.buf, points.len);
@@ -297,7 +297,7 @@ static PyMethodDef methods[] = {
     {"quality", quality, METH_VARARGS, "quality(points, hexes) -> bytearray of float64"},
     {"certify", certify, METH_VARARGS, "certify(points, hexes, quads, progress) -> dict"},
     {"optimize", optimize, METH_VARARGS,
-     "optimize(points, hexes, fixed, rounds, iterations, target, progress) -> bytearray"},
+     "optimize(points, hexes, fixed, rounds, threads, target, progress) -> bytearray"},
     {"raise_order", raise_order, METH_VARARGS, "raise_order(points, hexes) -> (points, hexes)"},
     {"mesh", mesh, METH_VARARGS,
      "mesh(points, quads, method, order, allow_uncertified, progress) -> dict"},

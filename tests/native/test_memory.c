@@ -4,32 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <lbfgs.h>
-
 #include "support.h"
-
-/* ------------------------------------------------------- the minimiser's own allocations */
-
-/** Calls of the minimiser's library until one runs out of memory; 0: none does. */
-static size_t library_fails_at, library_calls;
-
-lbfgsfloatval_t *__real_lbfgs_malloc(int n);
-lbfgsfloatval_t *__wrap_lbfgs_malloc(int n);
-int __real_lbfgs(int n, lbfgsfloatval_t *x, lbfgsfloatval_t *fx, lbfgs_evaluate_t evaluate,
-                 lbfgs_progress_t progress, void *instance, lbfgs_parameter_t *parameters);
-int __wrap_lbfgs(int n, lbfgsfloatval_t *x, lbfgsfloatval_t *fx, lbfgs_evaluate_t evaluate,
-                 lbfgs_progress_t progress, void *instance, lbfgs_parameter_t *parameters);
-
-lbfgsfloatval_t *__wrap_lbfgs_malloc(int n) {
-  return ++library_calls == library_fails_at ? NULL : __real_lbfgs_malloc(n);
-}
-
-int __wrap_lbfgs(int n, lbfgsfloatval_t *x, lbfgsfloatval_t *fx, lbfgs_evaluate_t evaluate,
-                 lbfgs_progress_t progress, void *instance, lbfgs_parameter_t *parameters) {
-  if (++library_calls == library_fails_at)
-    return LBFGSERR_OUTOFMEMORY;
-  return __real_lbfgs(n, x, fx, evaluate, progress, instance, parameters);
-}
 
 /* ------------------------------------------------------------------------- the public calls */
 
@@ -263,31 +238,6 @@ static void no_context(void **state) {
   hexcon_context_free(context);
 }
 
-/** The minimiser's library runs out of memory in its k-th call. */
-static void library_out_of_memory(void **state) {
-  const public_call users[] = {call_optimize, call_mesh_twisted};
-  for (int u = 0; u < 2; u++) {
-    size_t failures = 0;
-    for (library_fails_at = 1;; library_fails_at++) {
-      test_memory memory = {0};
-      hexcon_context *context = hexcon_context_new_with(test_reallocate, &memory);
-      library_calls = 0;
-      hexcon_status status = users[u](context, *state);
-      bool failed = library_calls >= library_fails_at;
-      assert_int_equal(status, failed ? HEXCON_OUT_OF_MEMORY : HEXCON_OK);
-      if (failed)
-        assert_message(context);
-      hexcon_context_free(context);
-      assert_int_equal(memory.live, 0);
-      failures += failed;
-      if (!failed)
-        break;
-    }
-    assert_true(failures > 0);
-  }
-  library_fails_at = 0;
-}
-
 typedef struct patience {
   size_t calls, cancel_at;
   double last;
@@ -342,8 +292,9 @@ static void cancelled_optimisation(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(out_of_memory),          cmocka_unit_test(no_context),
-      cmocka_unit_test(library_out_of_memory),  cmocka_unit_test(cancellation),
+      cmocka_unit_test(out_of_memory),
+      cmocka_unit_test(no_context),
+      cmocka_unit_test(cancellation),
       cmocka_unit_test(cancelled_optimisation),
   };
   return cmocka_run_group_tests(tests, set_up, tear_down);

@@ -91,9 +91,8 @@ static void never_worse(void **state) {
       mesh.points[i] += random_between(&random, -0.4, 0.4);
     for (size_t v = 0; v < mesh.point_count; v++)
       fixed[v] = random_below(&random, 3) == 0;
-    const hexcon_optimize_options options = {.max_rounds = 1 + round % 5,
-                                             .max_iterations = 1 + round % 7,
-                                             .target = round % 3 ? 0 : 0.3};
+    const hexcon_optimize_options options = {
+        .max_rounds = 1 + round % 5, .threads = 1 + round % 3, .target = round % 3 ? 0 : 0.3};
     (void)optimize(&mesh, fixed, &options);
     free(fixed);
     test_mesh_free(&mesh);
@@ -143,11 +142,8 @@ static void faults(void **state) {
   test_mesh grid = make_box(2, 2, 2);
   uint8_t *fixed = fix_boundary(&grid);
   double out[81];
-  const hexcon_optimize_options wrong[] = {{.max_rounds = -1},
-                                           {.max_iterations = -1},
-                                           {.target = -0.5},
-                                           {.target = 1.5},
-                                           {.target = NAN}};
+  const hexcon_optimize_options wrong[] = {
+      {.max_rounds = -1}, {.threads = -1}, {.target = -0.5}, {.target = 1.5}, {.target = NAN}};
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
     assert_int_equal(
         hexcon_optimize(context, grid.points, 27, grid.hexes, 8, fixed, &wrong[i], out),

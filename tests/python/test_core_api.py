@@ -266,7 +266,7 @@ def test_bad_options(options):
     assert code_of(hn.mesh, POINTS, QUADS, **options) == Code.BAD_ARGUMENT
 
 
-@pytest.mark.parametrize("options", [{"rounds": -1}, {"iterations": -2}, {"target": 2},
+@pytest.mark.parametrize("options", [{"rounds": -1}, {"threads": -2}, {"target": 2},
                                      {"target": -0.1}, {"target": float("nan")}])
 def test_bad_options_of_optimize(options):
     assert code_of(hn.optimize, MESH.points, MESH.hexes, **options) == Code.BAD_ARGUMENT

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "conjugate_gradients.h"
+
 /** Far below what is visible: so the result depends on the order of the points by rounding only. */
 static const double relative_residual = 1e-10;
 
@@ -13,7 +15,7 @@ hexcon_status harmonic_new(hexcon_context *context, const int32_t *quads, size_t
       .point_count = point_count, .quad_count = quad_count, .quads = quads, .fixed = fixed};
   out->degree = context_allocate_zeroed(context, point_count, sizeof *out->degree);
   bool complete = out->degree != NULL;
-  for (int i = 0; i < 5; i++) {
+  for (int i = 0; i < 7; i++) {
     out->work[i] = context_allocate_zeroed(context, point_count, sizeof *out->work[i]);
     complete &= out->work[i] != NULL;
   }
@@ -26,7 +28,7 @@ hexcon_status harmonic_new(hexcon_context *context, const int32_t *quads, size_t
 
 void harmonic_free(hexcon_context *context, harmonic *h) {
   context_free(context, h->degree);
-  for (int i = 0; i < 5; i++)
+  for (int i = 0; i < 7; i++)
     context_free(context, h->work[i]);
   for (size_t i = 0; i < h->basis_count; i++)
     context_free(context, h->basis[i]);
@@ -34,7 +36,8 @@ void harmonic_free(hexcon_context *context, harmonic *h) {
 }
 
 /** out = Laplacian of in, zero on the rim. */
-static void apply(const harmonic *h, const double *in, double *out) {
+static void apply(void *user, const double *in, double *out) {
+  const harmonic *h = user;
   memset(out, 0, h->point_count * sizeof *out);
   for (size_t q = 0; q < h->quad_count; q++)
     for (size_t side = 0; side < 4; side++) {
@@ -48,13 +51,6 @@ static void apply(const harmonic *h, const double *in, double *out) {
       out[v] = 0;
 }
 
-static double dot(const harmonic *h, const double *a, const double *b) {
-  double sum = 0;
-  for (size_t v = 0; v < h->point_count; v++)
-    sum += a[v] * b[v];
-  return sum;
-}
-
 static double dot_on_rim(const harmonic *h, const double *a, const double *b) {
   double sum = 0;
   for (size_t v = 0; v < h->point_count; v++)
@@ -63,37 +59,30 @@ static double dot_on_rim(const harmonic *h, const double *a, const double *b) {
   return sum;
 }
 
-static void precondition(const harmonic *h, const double *in, double *out) {
+static void precondition(void *user, const double *in, double *out) {
+  const harmonic *h = user;
   for (size_t v = 0; v < h->point_count; v++)
     out[v] = h->fixed[v] ? 0 : in[v] / h->degree[v];
 }
 
-/** Conjugate gradients for the inner rows, from zero; rows on the rim are given. */
+/** The inner rows, from those on the rim. */
 static void solve(harmonic *h, double *values) {
-  double *residual = h->work[0], *direction = h->work[1], *image = h->work[2], *z = h->work[3];
+  double *pull = h->work[4], *inner = h->work[5];
   for (size_t v = 0; v < h->point_count; v++)
     if (!h->fixed[v])
       values[v] = 0;
-  apply(h, values, residual);
-  for (size_t v = 0; v < h->point_count; v++)
-    residual[v] = -residual[v];
-  precondition(h, residual, z);
-  memcpy(direction, z, h->point_count * sizeof *z);
-  double norm = dot(h, residual, z), goal = relative_residual * relative_residual * norm;
-  size_t limit = 100 + 20 * (size_t)sqrt((double)h->point_count);
-  for (size_t iteration = 0; iteration < limit && norm > goal; iteration++) {
-    apply(h, direction, image);
-    double step = norm / dot(h, direction, image);
-    for (size_t v = 0; v < h->point_count; v++) {
-      values[v] += step * direction[v];
-      residual[v] -= step * image[v];
-    }
-    precondition(h, residual, z);
-    double next = dot(h, residual, z), ratio = next / norm;
-    for (size_t v = 0; v < h->point_count; v++)
-      direction[v] = z[v] + ratio * direction[v];
-    norm = next;
+  apply(h, values, pull);
+  for (size_t v = 0; v < h->point_count; v++) {
+    pull[v] = -pull[v];
+    inner[v] = 0;
   }
+  linear_system system = {
+      h->point_count, apply, precondition, h, {h->work[0], h->work[1], h->work[2], h->work[3]}};
+  size_t limit = 100 + 20 * (size_t)sqrt((double)h->point_count);
+  conjugate_gradients(&system, pull, relative_residual, limit, inner);
+  for (size_t v = 0; v < h->point_count; v++)
+    if (!h->fixed[v])
+      values[v] = inner[v];
 }
 
 /** Take from the leftover its part along a basis function, and add that part inside. */
@@ -130,7 +119,7 @@ static hexcon_status keep(hexcon_context *context, harmonic *h, const double *so
 
 hexcon_status harmonic_extend(hexcon_context *context, harmonic *h, double tolerance,
                               double *values) {
-  double *leftover = h->work[4];
+  double *leftover = h->work[6];
   memcpy(leftover, values, h->point_count * sizeof *values);
   for (size_t v = 0; v < h->point_count; v++)
     if (!h->fixed[v])

@@ -17,7 +17,7 @@ typedef struct harmonic {
   const int32_t *quads; /**< [quad_count][4] */
   const uint8_t *fixed; /**< [point_count] non-zero on the rim */
   double *degree;       /**< [point_count] */
-  double *work[5];      /**< [point_count] residual, direction, image, preconditioned, leftover */
+  double *work[7]; /**< [point_count] four for the solver, its right side and result, leftover */
   double *basis[HARMONIC_MAX_BASIS];
 } harmonic;
 

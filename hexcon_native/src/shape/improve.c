@@ -2,144 +2,331 @@
 #include "improve.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "minimise.h"
-#include "region.h"
+#include "base/workers.h"
+#include "canonical_order.h"
+#include "groups.h"
+#include "repair.h"
+#include "sharpen.h"
 #include "verify/hex_arrays.h"
 #include "verify/jacobian_sign.h"
 #include "verify/scaled_jacobian.h"
+
+enum {
+  MEASURED_AT_ONCE = 4096, /* hexes */
+  SHARPENED_AT_ONCE = 3000 /* hexes of a group: a patch that a cache holds */
+};
+
+/** Quality of a hex that is not proved positive: its scaled Jacobian less this. */
+static const double penalty = 2;
+
+typedef struct improvement {
+  region_set set;
+  hex_groups groups;
+  double *points;
+  double *quality;             /* [hex_count] */
+  int32_t *seeds;              /* [hex_count] */
+  uint8_t *postponed;          /* [hex_count] by group: its region met another */
+  int32_t *slots[WORKERS_MAX]; /* [point_count] each, all -1 */
+  int threads;
+  double target;
+  double distance; /* of sharpen_patch */
+} improvement;
 
 /** What is never made worse, in this order. */
 typedef struct standing {
   size_t inverted; /* hexes not proved positive */
   double worst;    /* scaled Jacobian */
+  double burden;   /* sum of 1 / scaled Jacobian: falls as the low ones rise */
 } standing;
 
-typedef struct improvement {
-  region_mesh mesh;
-  region r;
-  double *points, *backup; /* backup: the region's points before a trial, by slot */
-  double *quality;         /* [hex_count] scaled Jacobian, minus 2 where not proved positive */
-  int32_t *seeds;          /* [hex_count] */
-  size_t seed_count;
-} improvement;
-
-static double measure(const improvement *m, int32_t hex) {
-  const int32_t *ids = m->mesh.hexes + 8 * (size_t)hex;
+static double measure(const improvement *m, size_t hex) {
+  const int32_t *ids = m->set.mesh_hexes + 8 * hex;
   double value = scaled_jacobian(m->points, ids);
-  return prove_jacobian_sign(m->points, ids) == JACOBIAN_POSITIVE ? value : value - 2;
+  return prove_jacobian_sign(m->points, ids) == JACOBIAN_POSITIVE ? value : value - penalty;
 }
 
-static standing summarise(const double *quality, const int32_t *hexes, size_t count) {
-  standing s = {0, 1};
+static bool is_inverted(double quality) {
+  return quality < 1e-6 - 1 || quality <= 0;
+}
+
+static standing summarise(const improvement *m, const int32_t *hexes, size_t count) {
+  standing s = {0, 1, 0};
   for (size_t i = 0; i < count; i++) {
-    double value = quality[hexes ? hexes[i] : (int32_t)i];
-    s.inverted += value < -0.999999;
+    double value = m->quality[hexes ? (size_t)hexes[i] : i];
+    s.inverted += is_inverted(value);
     s.worst = fmin(s.worst, value);
+    s.burden += 1 / fmax(value, 1e-3);
   }
   return s;
 }
 
 static bool is_better(standing a, standing b) {
-  return a.inverted != b.inverted ? a.inverted < b.inverted : a.worst > b.worst + 1e-6;
+  if (a.inverted != b.inverted)
+    return a.inverted < b.inverted;
+  return a.worst > b.worst + 1e-6 || (a.worst >= b.worst && a.burden < b.burden * (1 - 1e-6));
 }
 
-/** Hexes up to a threshold; ids ascending. */
-static void collect_seeds(improvement *m, double threshold) {
-  m->seed_count = 0;
-  for (size_t h = 0; h < m->mesh.hex_count; h++)
-    if (m->quality[h] <= threshold)
-      m->seeds[m->seed_count++] = (int32_t)h;
+static hexcon_status measure_range(void *user, hexcon_context *context, int worker, size_t item) {
+  (void)worker;
+  improvement *m = user;
+  size_t end = (item + 1) * MEASURED_AT_ONCE;
+  end = end < m->set.mesh_hex_count ? end : m->set.mesh_hex_count;
+  for (size_t h = item * MEASURED_AT_ONCE; h < end; h++)
+    m->quality[h] = measure(m, h);
+  return context_progress(context, "measuring", (double)end / (double)m->set.mesh_hex_count);
 }
 
-/** Minimise over a neighbourhood of the seeds; keep the result only if it is better there. */
-static hexcon_status try_region(hexcon_context *context, improvement *m, int layers,
-                                const minimise_options *options, bool *improved) {
-  region_open(&m->mesh, m->seeds, m->seed_count, layers, &m->r);
-  standing before = summarise(m->quality, m->r.hexes, m->r.hex_count);
-  for (size_t i = 0; i < m->r.point_count; i++)
-    memcpy(m->backup + 3 * i, m->points + 3 * (size_t)m->r.points[i], 3 * sizeof(double));
-  hexcon_status status = region_minimise(context, &m->mesh, &m->r, options, m->points);
-  for (size_t i = 0; i < m->r.hex_count; i++)
-    m->quality[m->r.hexes[i]] = measure(m, m->r.hexes[i]);
-  *improved = is_better(summarise(m->quality, m->r.hexes, m->r.hex_count), before);
-  if (!*improved) {
-    for (size_t i = 0; i < m->r.point_count; i++)
-      memcpy(m->points + 3 * (size_t)m->r.points[i], m->backup + 3 * i, 3 * sizeof(double));
-    for (size_t i = 0; i < m->r.hex_count; i++)
-      m->quality[m->r.hexes[i]] = measure(m, m->r.hexes[i]);
-  }
-  region_close(&m->mesh, &m->r);
+/** Positions and qualities of a region as they are in the patch. */
+static void write_back(improvement *m, const patch *p) {
+  for (size_t i = 0; i < p->free_count; i++)
+    memcpy(m->points + 3 * (size_t)p->points[i], p->x + 3 * i, 3 * sizeof *p->x);
+  for (size_t h = 0; h < p->hex_count; h++)
+    m->quality[p->hexes[h]] = measure(m, (size_t)p->hexes[h]);
+}
+
+static hexcon_status repair(hexcon_context *context, improvement *m, patch *p) {
+  uint8_t *healthy = context_allocate(context, p->hex_count, sizeof *healthy);
+  if (!healthy)
+    return HEXCON_OUT_OF_MEMORY;
+  for (size_t h = 0; h < p->hex_count; h++)
+    healthy[h] = !is_inverted(m->quality[p->hexes[h]]);
+  size_t bad;
+  hexcon_status status = repair_patch(context, p, healthy, &bad);
+  context_free(context, healthy);
   return status;
 }
 
-/** Inverted hexes first, with their neighbourhood growing as long as it does not help; then the
- * worst hexes, with rising powers. */
-static hexcon_status improve(hexcon_context *context, improvement *m,
-                             const hexcon_optimize_options *options, size_t *rounds) {
-  static const int powers[] = {2, 4, 8, 1};
-  int failures = 0;
-  for (*rounds = 0; *rounds < (size_t)options->max_rounds; ++*rounds) {
-    standing now = summarise(m->quality, NULL, m->mesh.hex_count);
-    if (now.worst >= options->target || failures > 3)
-      break;
-    bool tangled = now.inverted > 0, improved = false;
-    collect_seeds(m, tangled ? 0 : fmin(now.worst + 0.1 * (1 - now.worst), options->target));
-    minimise_options run = {options->max_iterations, tangled ? 1 : powers[failures], tangled};
-    hexcon_status status = try_region(context, m, 2 + 2 * failures, &run, &improved);
-    if (status)
-      return status;
-    failures = improved ? 0 : failures + 1;
+static hexcon_status sharpen(hexcon_context *context, improvement *m, patch *p) {
+  newton n;
+  hexcon_status status = newton_new(context, p, &n);
+  if (!status)
+    status = sharpen_patch(context, &n, p, m->distance, m->target);
+  newton_free(context, &n);
+  return status;
+}
+
+/** Work on a copy of a region, and keep the outcome only if it is better. */
+static hexcon_status improve_region(void *user, hexcon_context *context, int worker, size_t item) {
+  improvement *m = user;
+  const region_set *set = &m->set;
+  const int32_t *hexes = set->hexes + set->hex_starts[item];
+  size_t hex_count = set->hex_starts[item + 1] - set->hex_starts[item];
+  standing before = summarise(m, hexes, hex_count);
+  patch p;
+  hexcon_status status =
+      patch_copy(context, set->mesh_hexes, m->points, set->points + set->point_starts[item],
+                 set->point_starts[item + 1] - set->point_starts[item], hexes, hex_count,
+                 m->slots[worker], &p);
+  size_t bytes = 3 * p.free_count * sizeof *p.x;
+  double *start = status ? NULL : context_allocate(context, p.free_count, 3 * sizeof *start);
+  if (!start) {
+    patch_free(context, &p);
+    return HEXCON_OUT_OF_MEMORY;
   }
+  memcpy(start, p.x, bytes);
+  status = before.inverted > 0 ? repair(context, m, &p) : sharpen(context, m, &p);
+  write_back(m, &p);
+  standing after = summarise(m, hexes, hex_count);
+  if (!is_better(after, before)) {
+    memcpy(p.x, start, bytes);
+    write_back(m, &p);
+  }
+  context_free(context, start);
+  patch_free(context, &p);
+  return status;
+}
+
+/** Work on all groups, in batches of regions that do not meet. */
+static hexcon_status improve_groups(hexcon_context *context, improvement *m, int layers) {
+  hexcon_status status = HEXCON_OK;
+  memset(m->postponed, 1, m->groups.count);
+  for (size_t left = m->groups.count; !status && left > 0;) {
+    region_set_clear(&m->set);
+    for (size_t g = 0; g < m->groups.count; g++)
+      if (m->postponed[g] && region_set_add(&m->set, m->groups.hexes + m->groups.starts[g],
+                                            m->groups.starts[g + 1] - m->groups.starts[g], layers))
+        m->postponed[g] = 0;
+    left -= m->set.count;
+    status = workers_run(context, m->threads, m->set.count, improve_region, m);
+  }
+  region_set_clear(&m->set);
+  return status;
+}
+
+static bool has_free_point(const improvement *m, size_t hex) {
+  for (size_t c = 0; c < 8; c++)
+    if (!m->set.fixed[m->set.mesh_hexes[8 * hex + c]])
+      return true;
+  return false;
+}
+
+/** Inverted hexes in neighbourhoods that grow while they do not come right. */
+static hexcon_status repair_mesh(hexcon_context *context, improvement *m, int rounds,
+                                 size_t *done) {
+  static const int layers[] = {0, 1, 2, 4, 7, 12};
+  hexcon_status status = HEXCON_OK;
+  size_t most = sizeof layers / sizeof *layers, before = SIZE_MAX, size = 0;
+  for (; !status && size < most && *done < (size_t)rounds; ++*done) {
+    size_t count = 0;
+    for (size_t h = 0; h < m->set.mesh_hex_count; h++)
+      if (is_inverted(m->quality[h]) && has_free_point(m, h))
+        m->seeds[count++] = (int32_t)h;
+    if (count == 0)
+      break;
+    size += *done > 0 && count >= before;
+    before = count;
+    if (size == most)
+      break;
+    hex_groups_fill(&m->set, m->seeds, count, SIZE_MAX, &m->groups);
+    status = improve_groups(context, m, layers[size]);
+  }
+  return status;
+}
+
+typedef struct ranked_hex {
+  double quality;
+  int32_t hex;
+} ranked_hex;
+
+static int compare_ranked(const void *a, const void *b) {
+  const ranked_hex *left = a, *right = b;
+  if (left->quality != right->quality)
+    return left->quality < right->quality ? -1 : 1;
+  return (left->hex > right->hex) - (left->hex < right->hex);
+}
+
+/** What one pass of sharpening works on: the coarse ones everywhere, the fine ones where it counts.
+ */
+typedef struct sharpening {
+  double distance; /* of the wall, see sharpen_patch */
+  double reach;    /* hexes up to that part of the way from the worst to the mean are worked on */
+  int layers;      /* of hexes around them that may move too */
+} sharpening;
+
+static const sharpening schedule[] = {{0.3, 0.5, 3},   {0.3, INFINITY, 0}, {0.1, 0.5, 1},
+                                      {0.03, 0.3, 3},  {0.01, 0.15, 3},    {0.003, 0.05, 4},
+                                      {0.001, 0.03, 4}};
+enum { SHARPENINGS = sizeof schedule / sizeof *schedule };
+
+/** Hexes within reach and below the target, worst first: groups form around the worst. */
+static hexcon_status rank_seeds(hexcon_context *context, improvement *m, double reach,
+                                size_t *count) {
+  size_t hex_count = m->set.mesh_hex_count;
+  double worst = 1, mean = 0;
+  *count = 0;
+  ranked_hex *ranked = context_allocate(context, hex_count, sizeof *ranked);
+  if (!ranked)
+    return HEXCON_OUT_OF_MEMORY;
+  for (size_t h = 0; h < hex_count; h++) {
+    worst = fmin(worst, m->quality[h]);
+    mean += m->quality[h] / (double)hex_count;
+  }
+  double limit = fmin(worst + reach * fmax(mean - worst, 1e-3), m->target);
+  for (size_t h = 0; h < hex_count; h++)
+    if (m->quality[h] < limit && has_free_point(m, h))
+      ranked[(*count)++] = (ranked_hex){m->quality[h], (int32_t)h};
+  qsort(ranked, *count, sizeof *ranked, compare_ranked);
+  for (size_t i = 0; i < *count; i++)
+    m->seeds[i] = ranked[i].hex;
+  context_free(context, ranked);
   return HEXCON_OK;
 }
 
-static void default_options(hexcon_optimize_options *options) {
-  if (options->max_rounds == 0)
-    options->max_rounds = 40;
-  if (options->max_iterations == 0)
-    options->max_iterations = 100;
-  if (options->target == 0)
-    options->target = 1;
+static hexcon_status sharpen_mesh(hexcon_context *context, improvement *m, int rounds,
+                                  size_t *done) {
+  hexcon_status status = HEXCON_OK;
+  for (; !status && *done < (size_t)rounds; ++*done) {
+    const sharpening *pass = &schedule[*done < SHARPENINGS ? *done : SHARPENINGS - 1];
+    size_t count;
+    status = rank_seeds(context, m, pass->reach, &count);
+    if (status || count == 0)
+      break;
+    m->distance = pass->distance;
+    hex_groups_fill(&m->set, m->seeds, count, SHARPENED_AT_ONCE, &m->groups);
+    status = improve_groups(context, m, pass->layers);
+  }
+  return status;
+}
+
+static hexcon_status improvement_new(hexcon_context *context, improvement *m, const int32_t *hexes,
+                                     size_t hex_count, size_t point_count, const uint8_t *fixed) {
+  hexcon_status status = region_set_new(context, hexes, hex_count, point_count, fixed, &m->set);
+  if (!status)
+    status = hex_groups_new(context, hex_count, &m->groups);
+  m->quality = context_allocate(context, hex_count, sizeof *m->quality);
+  m->seeds = context_allocate(context, hex_count, sizeof *m->seeds);
+  m->postponed = context_allocate(context, hex_count, sizeof *m->postponed);
+  if (!m->quality || !m->seeds || !m->postponed)
+    return HEXCON_OUT_OF_MEMORY;
+  for (int t = 0; !status && t < m->threads; t++) {
+    m->slots[t] = context_allocate(context, point_count, sizeof *m->slots[t]);
+    if (!m->slots[t])
+      return HEXCON_OUT_OF_MEMORY;
+    memset(m->slots[t], -1, point_count * sizeof *m->slots[t]);
+  }
+  return status;
+}
+
+static void improvement_free(hexcon_context *context, improvement *m) {
+  region_set_free(context, &m->set);
+  hex_groups_free(context, &m->groups);
+  context_free(context, m->quality);
+  context_free(context, m->seeds);
+  context_free(context, m->postponed);
+  for (int t = 0; t < m->threads; t++)
+    context_free(context, m->slots[t]);
+}
+
+/** The mesh in its canonical numbering. */
+static hexcon_status improve_ordered(hexcon_context *context, canonical_order *mesh,
+                                     const hexcon_optimize_options *options, size_t *rounds) {
+  int most = options->max_rounds > 0 ? options->max_rounds : SHARPENINGS;
+  size_t ranges = (mesh->hex_count + MEASURED_AT_ONCE - 1) / MEASURED_AT_ONCE, repairs = 0,
+         sharpenings = 0;
+  improvement m = {.points = mesh->points,
+                   .threads = workers_count(options->threads),
+                   .target = options->target > 0 ? options->target : 1};
+  hexcon_status status =
+      improvement_new(context, &m, mesh->hexes, mesh->hex_count, mesh->point_count, mesh->fixed);
+  if (!status)
+    status = workers_run(context, m.threads, ranges, measure_range, &m);
+  if (!status)
+    status = repair_mesh(context, &m, most, &repairs);
+  if (!status)
+    status = sharpen_mesh(context, &m, most, &sharpenings);
+  if (rounds)
+    *rounds = repairs + sharpenings;
+  improvement_free(context, &m);
+  return status;
 }
 
 hexcon_status improve_mesh(hexcon_context *context, double *points, size_t point_count,
                            const int32_t *hexes, size_t hex_count, const uint8_t *fixed,
                            const hexcon_optimize_options *options, size_t *rounds) {
-  hexcon_optimize_options chosen = options ? *options : (hexcon_optimize_options){0};
-  default_options(&chosen);
-  size_t unused;
-  improvement m = {.points = points};
-  hexcon_status status = region_mesh_build(context, hexes, hex_count, point_count, fixed, &m.mesh);
-  if (!status)
-    status = region_new(context, &m.mesh, &m.r);
-  m.backup = context_allocate(context, 3 * point_count, sizeof *m.backup);
-  m.quality = context_allocate(context, hex_count, sizeof *m.quality);
-  m.seeds = context_allocate(context, hex_count, sizeof *m.seeds);
-  if (!status && (!m.backup || !m.quality || !m.seeds))
-    status = HEXCON_OUT_OF_MEMORY;
-  for (size_t h = 0; !status && h < hex_count; h++)
-    m.quality[h] = measure(&m, (int32_t)h);
-  if (!status)
-    status = improve(context, &m, &chosen, rounds ? rounds : &unused);
-  context_free(context, m.backup);
-  context_free(context, m.quality);
-  context_free(context, m.seeds);
-  region_free(context, &m.r);
-  region_mesh_free(context, &m.mesh);
+  const hexcon_optimize_options defaults = {0};
+  canonical_order mesh;
+  hexcon_status status =
+      canonical_order_new(context, points, point_count, hexes, hex_count, fixed, &mesh);
+  if (!status) {
+    status = improve_ordered(context, &mesh, options ? options : &defaults, rounds);
+    canonical_order_write(&mesh, points); /* the best so far, if cancelled */
+  }
+  canonical_order_free(context, &mesh);
   return status;
 }
 
 static hexcon_status check_options(hexcon_context *context,
                                    const hexcon_optimize_options *options) {
-  if (!options || (options->max_rounds >= 0 && options->max_iterations >= 0 &&
-                   options->target >= 0 && options->target <= 1))
+  if (!options || (options->max_rounds >= 0 && options->threads >= 0 && options->target >= 0 &&
+                   options->target <= 1))
     return HEXCON_OK;
   return context_fail(context, HEXCON_BAD_ARGUMENT,
-                      "optimize: rounds %d and iterations %d must not be negative, the target %g "
+                      "optimize: rounds %d and threads %d must not be negative, the target %g "
                       "must lie in 0 .. 1",
-                      options->max_rounds, options->max_iterations, options->target);
+                      options->max_rounds, options->threads, options->target);
 }
 
 hexcon_status hexcon_optimize(hexcon_context *context, const double *points, size_t point_count,

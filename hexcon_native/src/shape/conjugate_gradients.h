@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/** Preconditioned conjugate gradients for any symmetric positive system. */
+#ifndef HEXCON_SHAPE_CONJUGATE_GRADIENTS_H
+#define HEXCON_SHAPE_CONJUGATE_GRADIENTS_H
+
+#include <stddef.h>
+
+/** Write a linear image of `in` to `out`; both [count], and not the same. */
+typedef void (*linear_map)(void *user, const double *in, double *out);
+
+typedef struct linear_system {
+  size_t count;
+  linear_map multiply, precondition;
+  void *user;
+  double *work[4]; /**< [count] each: residual, direction, image, preconditioned residual */
+} linear_system;
+
+/**
+ * Improve x until the residual's norm, measured by the preconditioner, has fallen to `tolerance`
+ * times that of `b`, or for `limit` iterations.
+ * @param b  [count]
+ * @param x  [count] start and result
+ * Cost: a product and a preconditioning per iteration.
+ */
+void conjugate_gradients(const linear_system *system, const double *b, double tolerance,
+                         size_t limit, double *x);
+
+#endif

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/** Target lengths of a patch's edges, spread from the edges whose length can be trusted. */
+#ifndef HEXCON_SHAPE_EDGE_LENGTHS_H
+#define HEXCON_SHAPE_EDGE_LENGTHS_H
+
+#include "patch.h"
+
+/**
+ * Set p->stretch: trusted edges keep their present length; the logarithms of the others are
+ * harmonic between them. Opposite edges of a hex pull each other strongly, so that a length runs
+ * along its sheet of the mesh and a graded or anisotropic mesh keeps its grading; other edges of a
+ * hex weakly, which decides where a sheet has no trusted edge.
+ * @param trusted_hexes  [hex_count] whether the hex's present edges are trusted; NULL: none.
+ *                       Edges between fixed points always are.
+ * Cost: hex_count^(4/3).
+ */
+hexcon_status edge_lengths_spread(hexcon_context *context, patch *p, const uint8_t *trusted_hexes);
+
+#endif
