@@ -27,7 +27,7 @@ METHODS = {"auto": 0, "swept": 1}
 
 __all__ = [
     "Certificate", "ErrorCode", "HexconError", "Loops", "METHODS", "Mesh", "Quality",
-    "SurfaceReport", "certify", "check_options", "check_surface", "colouring", "loops", "mesh", "optimize",
+    "SurfaceReport", "certify", "check_options", "check_surface", "colouring", "loops", "mesh", "morph", "optimize",
     "quality", "raise_order",
 ]
 
@@ -383,6 +383,28 @@ def _fixed_mask(fixed, hexes, point_count):
     return mask
 
 
+def _mesh(points, hexes):
+    """A mesh of order 1 whose ids are valid; points are a copy."""
+    points, hexes = _points(points), _ids(hexes, 8, "hexes")
+    outside = (hexes >= len(points)).any(axis=1)
+    if outside.any():
+        raise HexconError(f"{int(outside.sum())} hexes (listed) name points outside 0 .. "
+                          f"{len(points) - 1}", ErrorCode.INDEX_OUT_OF_RANGE,
+                          np.flatnonzero(outside))
+    return np.array(points), hexes
+
+
+@contextlib.contextmanager
+def _best_when_cancelled(points):
+    """Hand out what has been reached with the error."""
+    try:
+        yield
+    except HexconError as fault:
+        if fault.code == ErrorCode.CANCELLED:
+            fault.points = points
+        raise
+
+
 def optimize(points, hexes, fixed=None, *, rounds=0, target=1.0, threads=0, progress=None):
     """Untangle and improve a hex mesh of order 1 by moving its free points.
 
@@ -393,17 +415,42 @@ def optimize(points, hexes, fixed=None, *, rounds=0, target=1.0, threads=0, prog
     threads        0: one per processor; the result does not depend on it
     Returns (P, 3) float64, never a worse mesh than it was given: no more inverted hexes, then no
     lower worst scaled Jacobian; hexes proved positive are counted, so a certified mesh stays so.
-    Raises as certify, BAD_ARGUMENT, CANCELLED.
+    The numbering of the mesh does not matter either. Raises as certify, BAD_ARGUMENT, CANCELLED;
+    the best points so far are then the error's `points`.
     """
-    points, hexes = _points(points), _ids(hexes, 8, "hexes")
-    outside = (hexes >= len(points)).any(axis=1)
-    if outside.any():
-        raise HexconError(f"{int(outside.sum())} hexes (listed) name points outside 0 .. "
-                          f"{len(points) - 1}", ErrorCode.INDEX_OUT_OF_RANGE,
-                          np.flatnonzero(outside))
+    points, hexes = _mesh(points, hexes)
     mask = _fixed_mask(fixed, hexes, len(points))
-    return _array(_core.optimize(points, hexes, mask, rounds, threads, float(target), progress),
-                  np.float64, 3)
+    with _best_when_cancelled(points):
+        _core.optimize(points, hexes, mask, rounds, threads, float(target), progress)
+    return points
+
+
+def morph(points, hexes, goal, fixed=None, *, target=1.0, progress=None):
+    """Homotopy: take a valid hex mesh of order 1 to another boundary of the same connectivity.
+
+    points, hexes  as quality; every hex positive
+    goal           (P, 3) where the points go, those that are not fixed as a first guess;
+                   or (F, 3): where the fixed points go, in ascending order of their ids
+    fixed          as optimize: the points that go straight to their goals
+    target         stop improving when the worst scaled Jacobian reaches it
+    Returns points (P, 3) float64 and the part of the way that was reached: 1, the fixed points are
+    at their goals; or less where no valid mesh was found farther on, and they are that far on their
+    way. Every state on the way is proved positive; at its end the worst hex is raised.
+    Raises as optimize, WRONG_SHAPE, NOT_CERTIFIED (the start is not positive).
+    """
+    points, hexes = _mesh(points, hexes)
+    mask, goal = _fixed_mask(fixed, hexes, len(points)), _points(goal)
+    count = int(np.count_nonzero(mask))
+    boundary_only = len(goal) == count != len(points)
+    if boundary_only:
+        fixed_goal, goal = goal, points.copy()
+        goal[mask != 0] = fixed_goal
+    if len(goal) != len(points):
+        raise HexconError(f"goal has {len(goal)} rows: give one for each of the {len(points)} points, "
+                          f"or one for each of the {count} fixed ones", ErrorCode.WRONG_SHAPE)
+    with _best_when_cancelled(points):
+        reached = _core.morph(points, hexes, mask, goal, boundary_only, float(target), progress)
+    return points, reached
 
 
 def raise_order(points, hexes):

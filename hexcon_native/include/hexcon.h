@@ -200,6 +200,33 @@ hexcon_status hexcon_optimize(hexcon_context *context, const double *points, siz
                               const int32_t *hexes, size_t hex_count, const uint8_t *fixed,
                               const hexcon_optimize_options *options, double *positions);
 
+/** Options of hexcon_morph; zero means default. */
+typedef struct hexcon_morph_options {
+  bool boundary_only; /**< only the fixed points' goals are given; the others' rows are ignored */
+  double target;      /**< stop improving when the worst scaled Jacobian reaches it; default 1 */
+} hexcon_morph_options;
+
+/**
+ * Homotopy: take a valid mesh from its boundary to another one of the same connectivity, step by
+ * step; every state on the way is proved positive. Then raise the worst hex. Free points go along;
+ * a step that cannot be untangled is halved.
+ * @param points     [point_count][3] every hex positive
+ * @param fixed      [point_count] non-zero: the point goes straight to its goal
+ * @param goal       [point_count][3]; rows of free points are a first guess of where they go
+ * @param options    NULL for defaults
+ * @param positions  [point_count][3] receives the mesh at the end of the way: where the boundary
+ *                   came to, its fixed points are at (1 - reached) points + reached goal
+ * @param reached    receives the part of the way done: 1, bit for bit at the goal, or less where
+ *                   no valid mesh was found farther on
+ * Errors: as hexcon_quality, REPEATED_VERTEX, BAD_ARGUMENT, NOT_CERTIFIED (the start is not
+ * positive), OUT_OF_MEMORY, CANCELLED (positions then hold the last valid state). Cost: that of
+ * untangling the mesh as a whole, per step.
+ */
+hexcon_status hexcon_morph(hexcon_context *context, const double *points, size_t point_count,
+                           const int32_t *hexes, size_t hex_count, const uint8_t *fixed,
+                           const double *goal, const hexcon_morph_options *options,
+                           double *positions, double *reached);
+
 /* -------------------------------------------------------------------------------------- solve */
 
 /** A mesh of order 2: straight edges, each with a point in its middle. */

@@ -174,32 +174,58 @@ static PyObject *certify(PyObject *module, PyObject *arguments) {
   return result;
 }
 
+/** Positions are written in place: what they hold when the call is cancelled is of use. */
 static PyObject *optimize(PyObject *module, PyObject *arguments) {
   (void)module;
-  Py_buffer points, hexes, fixed;
+  Py_buffer positions, hexes, fixed;
   hexcon_optimize_options options = {0};
-  PyObject *callback;
-  if (!PyArg_ParseTuple(arguments, "y*y*y*iidO", &points, &hexes, &fixed, &options.max_rounds,
+  PyObject *callback, *result = NULL;
+  if (!PyArg_ParseTuple(arguments, "w*y*y*iidO", &positions, &hexes, &fixed, &options.max_rounds,
                         &options.threads, &options.target, &callback))
     return NULL;
   run r;
-  PyObject *positions = PyByteArray_FromStringAndSize(points.buf, points.len);
-  if (positions && run_begin(&r, callback)) {
-    double *out = (double *)(void *)PyByteArray_AsString(positions);
+  if (run_begin(&r, callback)) {
     run_release(&r);
-    hexcon_status status =
-        hexcon_optimize(r.context, points.buf, buffer_rows(&points, 3, sizeof(double)), hexes.buf,
-                        buffer_rows(&hexes, 8, sizeof(int32_t)), fixed.buf, &options, out);
+    hexcon_status status = hexcon_optimize(
+        r.context, positions.buf, buffer_rows(&positions, 3, sizeof(double)), hexes.buf,
+        buffer_rows(&hexes, 8, sizeof(int32_t)), fixed.buf, &options, positions.buf);
     run_acquire(&r);
-    if (!run_end(&r, status))
-      Py_CLEAR(positions);
-  } else {
-    Py_CLEAR(positions);
+    if (run_end(&r, status))
+      result = Py_BuildValue("");
   }
-  PyBuffer_Release(&points);
+  PyBuffer_Release(&positions);
   PyBuffer_Release(&hexes);
   PyBuffer_Release(&fixed);
-  return positions;
+  return result;
+}
+
+static PyObject *morph(PyObject *module, PyObject *arguments) {
+  (void)module;
+  Py_buffer positions, hexes, fixed, goal;
+  hexcon_morph_options options = {0};
+  int boundary_only;
+  double reached = 0;
+  PyObject *callback, *result = NULL;
+  if (!PyArg_ParseTuple(arguments, "w*y*y*y*pdO", &positions, &hexes, &fixed, &goal, &boundary_only,
+                        &options.target, &callback))
+    return NULL;
+  options.boundary_only = boundary_only != 0;
+  run r;
+  if (run_begin(&r, callback)) {
+    run_release(&r);
+    hexcon_status status =
+        hexcon_morph(r.context, positions.buf, buffer_rows(&positions, 3, sizeof(double)),
+                     hexes.buf, buffer_rows(&hexes, 8, sizeof(int32_t)), fixed.buf, goal.buf,
+                     &options, positions.buf, &reached);
+    run_acquire(&r);
+    if (run_end(&r, status))
+      result = Py_BuildValue("d", reached);
+  }
+  PyBuffer_Release(&positions);
+  PyBuffer_Release(&hexes);
+  PyBuffer_Release(&fixed);
+  PyBuffer_Release(&goal);
+  return result;
 }
 
 static PyObject *second_order_as_tuple(const hexcon_second_order *raised, size_t hex_count) {
@@ -296,8 +322,10 @@ static PyMethodDef methods[] = {
     {"colouring", colouring, METH_VARARGS, "colouring(quads, point_count) -> bytearray"},
     {"quality", quality, METH_VARARGS, "quality(points, hexes) -> bytearray of float64"},
     {"certify", certify, METH_VARARGS, "certify(points, hexes, quads, progress) -> dict"},
+    {"morph", morph, METH_VARARGS,
+     "morph(positions, hexes, fixed, goal, boundary_only, target, progress) -> reached"},
     {"optimize", optimize, METH_VARARGS,
-     "optimize(points, hexes, fixed, rounds, threads, target, progress) -> bytearray"},
+     "optimize(positions, hexes, fixed, rounds, threads, target, progress)"},
     {"raise_order", raise_order, METH_VARARGS, "raise_order(points, hexes) -> (points, hexes)"},
     {"mesh", mesh, METH_VARARGS,
      "mesh(points, quads, method, order, allow_uncertified, progress) -> dict"},

@@ -10,7 +10,7 @@
  * unit cube. Edge 4 axis + m runs along `axis` from low to high; the bits of m are its place
  * across, lower axis first.
  */
-enum { PATCH_EDGES = 12 };
+enum { PATCH_EDGES = 12, PATCH_WATCH_MOST = 3 };
 
 typedef struct patch {
   size_t free_count;  /**< points 0 .. free_count - 1 move */
@@ -21,7 +21,8 @@ typedef struct patch {
   int32_t *corners; /**< [hex_count][8] points of the patch */
   double *x;        /**< [point_count][3] */
   double *stretch;  /**< [hex_count][PATCH_EDGES] 1 / target length of each edge */
-  uint8_t *watched; /**< [hex_count] whether the energy looks inside the hex, not only at corners */
+  uint8_t *watched; /**< [hex_count] how closely the energy looks inside the hex, up to
+                         PATCH_WATCH_MOST: on a grid of 2^watched parts; 0: at the corners only */
 } patch;
 
 /** The corner at which edge 4 axis + m begins; it ends at that plus 1 << axis. */

@@ -7,18 +7,12 @@
 
 #include "base/vector.h"
 
-/** Places in a hex are r + 3 s + 9 t, each coordinate 0, 1 (the middle) or 2. */
-
 /** A frame as a linear map of a hex's corners: frame[axis] = sum over i of weights[i][axis] x. */
 typedef struct sample {
   int count;
   int corners[8];
   double weights[8][3];
 } sample;
-
-/** The inner ones of them: middles of edges, of faces, the centre. */
-static const unsigned char inner_places[] = {1,  3,  5, 7,  9,  11, 15, 17, 19, 21,
-                                             23, 25, 4, 10, 12, 14, 16, 22, 13};
 
 static void corner_sample(int corner, const double *stretch, sample *s) {
   s->count = 4;
@@ -34,9 +28,9 @@ static void corner_sample(int corner, const double *stretch, sample *s) {
   }
 }
 
-/** The trilinear map's derivative, with the mean target of the edges that take part. */
-static void inner_sample(int place, const double *stretch, sample *s) {
-  const int halves[3] = {place % 3, place / 3 % 3, place / 9};
+/** The trilinear map's derivative at place[axis] / parts, with the mean target of the edges that
+ * take part. */
+static void inner_sample(const int place[3], int parts, const double *stretch, sample *s) {
   s->count = 8;
   memset(s->weights, 0, sizeof s->weights);
   for (int i = 0; i < 8; i++)
@@ -44,11 +38,11 @@ static void inner_sample(int place, const double *stretch, sample *s) {
   for (int axis = 0; axis < 3; axis++) {
     double length = 0, shares[4];
     for (int m = 0; m < 4; m++) {
-      int start = patch_edge_start(4 * axis + m);
-      shares[m] = 1;
+      int start = patch_edge_start(4 * axis + m), product = 1;
       for (int other = 0; other < 3; other++)
         if (other != axis)
-          shares[m] *= 0.5 * (start >> other & 1 ? halves[other] : 2 - halves[other]);
+          product *= start >> other & 1 ? place[other] : parts - place[other];
+      shares[m] = (double)product / (parts * parts);
       length += shares[m] / stretch[4 * axis + m];
     }
     for (int m = 0; m < 4; m++) {
@@ -59,8 +53,15 @@ static void inner_sample(int place, const double *stretch, sample *s) {
   }
 }
 
+/** Parts into which a watched hex is cut along each axis: frames are looked at on this grid. */
+static int parts_of(const patch *p, size_t hex) {
+  return 1 << p->watched[hex];
+}
+
+/** The corners, then the places of the grid. */
 static int samples_of(const patch *p, size_t hex) {
-  return p->watched[hex] ? 8 + (int)sizeof inner_places : 8;
+  int places = parts_of(p, hex) + 1;
+  return p->watched[hex] ? 8 + places * places * places : 8;
 }
 
 /** Frames inside a hex only guard its positivity: their energy counts a part of a corner's. */
@@ -72,13 +73,21 @@ static frame_energy_options options_of(const frame_energy_options *options, int 
   return own;
 }
 
-/** False if no corner of it is free. */
+/** Sample number `number` of a hex; false if no corner of it is free, or it has been one before. */
 static bool find_sample(const patch *p, size_t hex, int number, sample *s) {
   const double *stretch = p->stretch + PATCH_EDGES * hex;
-  if (number < 8)
+  if (number < 8) {
     corner_sample(number, stretch, s);
-  else
-    inner_sample(inner_places[number - 8], stretch, s);
+  } else {
+    int parts = parts_of(p, hex), k = number - 8, outer = 0, place[3];
+    for (int axis = 0; axis < 3; axis++, k /= parts + 1) {
+      place[axis] = k % (parts + 1);
+      outer += place[axis] % parts == 0;
+    }
+    if (outer == 3)
+      return false;
+    inner_sample(place, parts, stretch, s);
+  }
   for (int i = 0; i < s->count; i++)
     if ((size_t)p->corners[8 * hex + (size_t)s->corners[i]] < p->free_count)
       return true;

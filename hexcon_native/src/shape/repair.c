@@ -18,23 +18,23 @@ size_t patch_count_bad(patch *p, size_t *watched) {
     if (prove_jacobian_sign(p->x, hex) == JACOBIAN_POSITIVE)
       continue;
     bad++;
-    if (watched && !p->watched[h] && scaled_jacobian(p->x, hex) > 0) {
-      p->watched[h] = 1;
+    if (watched && p->watched[h] < PATCH_WATCH_MOST && scaled_jacobian(p->x, hex) > 0) {
+      p->watched[h]++;
       ++*watched;
     }
   }
   return bad;
 }
 
-/** Untangle from p->x, watching what needs it. */
-static hexcon_status untangle_watching(hexcon_context *context, newton *n, patch *p, size_t *bad) {
-  const int rounds = 40, most_passes = 3;
+hexcon_status untangle_watching(hexcon_context *context, newton *n, patch *p, bool patient,
+                                size_t *bad) {
+  const int most_passes = 1 + PATCH_WATCH_MOST;
   hexcon_status status = HEXCON_OK;
   memset(p->watched, 0, p->hex_count * sizeof *p->watched);
   for (int pass = 0; !status && pass < most_passes; pass++) {
     bool done;
     size_t watched = 0;
-    status = untangle_patch(context, n, p, rounds, &done);
+    status = untangle_patch(context, n, p, patient, &done);
     *bad = patch_count_bad(p, &watched);
     if (*bad == 0 || watched == 0)
       break;
@@ -56,10 +56,10 @@ static hexcon_status try_starts(hexcon_context *context, newton *n, patch *p, do
   memcpy(placed, p->x, bytes);
   memcpy(best, given, bytes);
   bool first_placed = placement_is_better(p, given, placed);
-  for (int attempt = 0; !status && attempt < 2 && *bad > 0; attempt++) {
+  for (int attempt = 0; !status && attempt < 4 && *bad > 0; attempt++) {
     size_t now = *bad;
-    memcpy(p->x, (attempt == 0) == first_placed ? placed : given, bytes);
-    status = untangle_watching(context, n, p, &now);
+    memcpy(p->x, (attempt % 2 == 0) == first_placed ? placed : given, bytes);
+    status = untangle_watching(context, n, p, attempt >= 2, &now);
     if (now < *bad) {
       *bad = now;
       memcpy(best, p->x, bytes);

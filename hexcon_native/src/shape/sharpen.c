@@ -9,18 +9,22 @@
 /** Shorter edges count as this part of the longest of their hex: lest they vanish. */
 static const double smallest_edge = 0.01;
 
-/** One step; undone, with more hexes watched, where one came out not positive.
+/** One step, cut short where a hex comes out not positive inside; that hex is watched from then on.
  * @return false when there is nothing more to be had */
 static bool try_step(newton *n, patch *p, const frame_energy_options *options, double *backup) {
   const double least_decrease = 1e-9;
-  size_t bytes = 3 * p->free_count * sizeof *p->x, watched = 0;
-  memcpy(backup, p->x, bytes);
+  const int most_halvings = 6;
+  size_t count = 3 * p->free_count, watched = 0;
+  memcpy(backup, p->x, count * sizeof *backup);
   if (newton_step(n, p, options) <= least_decrease)
     return false;
-  if (patch_count_bad(p, &watched) == 0)
-    return true;
-  memcpy(p->x, backup, bytes);
-  return watched > 0;
+  for (int halving = 0; patch_count_bad(p, &watched) > 0; halving++) {
+    for (size_t i = 0; i < count; i++)
+      p->x[i] = halving < most_halvings ? (p->x[i] + backup[i]) / 2 : backup[i];
+    if (halving == most_halvings)
+      return watched > 0;
+  }
+  return true;
 }
 
 hexcon_status sharpen_patch(hexcon_context *context, newton *n, patch *p, double distance,
