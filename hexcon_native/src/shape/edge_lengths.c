@@ -8,7 +8,7 @@
 #include "conjugate_gradients.h"
 
 /** Pull of a hex's mean on each of its edges, against 1 between opposite edges of a face. */
-static const double weak = 0.01;
+static const double weak = 1e-5;
 
 typedef struct spreading {
   const patch *p;
@@ -58,23 +58,26 @@ static hexcon_status number_edges(hexcon_context *context, spreading *s) {
   return status;
 }
 
-/** Lengths and trust, edge by edge. */
-static void measure_edges(spreading *s, const uint8_t *trusted_hexes) {
+/** Lengths and trust, edge by edge: an edge is as good as the worst hex at it. */
+static void measure_edges(spreading *s, const uint8_t *healthy) {
   const patch *p = s->p;
+  memset(s->trusted, healthy != NULL, s->edge_count);
+  for (size_t i = 0; healthy && i < PATCH_EDGES * p->hex_count; i++)
+    s->trusted[s->edges[i]] &= healthy[i / PATCH_EDGES];
   for (size_t i = 0; i < PATCH_EDGES * p->hex_count; i++) {
-    size_t h = i / PATCH_EDGES;
-    const int32_t *corners = p->corners + 8 * h;
+    const int32_t *corners = p->corners + 8 * (i / PATCH_EDGES);
     int edge = (int)(i % PATCH_EDGES), start = patch_edge_start(edge);
     size_t a = (size_t)corners[start], b = (size_t)corners[start | 1 << edge / 4];
-    bool fixed = a >= p->free_count && b >= p->free_count;
     double along[3];
     vector_subtract(p->x + 3 * b, p->x + 3 * a, along);
     double length = vector_length(along);
     s->degree[s->edges[i]] += 2 + weak;
-    if ((fixed || (trusted_hexes && trusted_hexes[h])) && length > 0) {
+    if (a >= p->free_count && b >= p->free_count)
       s->trusted[s->edges[i]] = 1;
+    if (length > 0)
       s->lengths[s->edges[i]] = log(length);
-    }
+    else
+      s->trusted[s->edges[i]] = 0;
   }
 }
 
@@ -123,12 +126,12 @@ static void solve(spreading *s, double *const work[5]) {
   memset(change, 0, s->edge_count * sizeof *change);
   for (size_t e = 0; e < s->edge_count; e++)
     b[e] = -b[e];
-  conjugate_gradients(&system, b, 1e-3, 1000, change);
+  conjugate_gradients(&system, b, 1e-4, 2000, change);
   for (size_t e = 0; e < s->edge_count; e++)
     s->lengths[e] += change[e];
 }
 
-hexcon_status edge_lengths_spread(hexcon_context *context, patch *p, const uint8_t *trusted_hexes) {
+hexcon_status edge_lengths_spread(hexcon_context *context, patch *p, const uint8_t *healthy) {
   spreading s = {.p = p};
   double *work[5] = {NULL};
   hexcon_status status = number_edges(context, &s);
@@ -143,7 +146,7 @@ hexcon_status edge_lengths_spread(hexcon_context *context, patch *p, const uint8
     status = work[i] ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
   }
   if (!status) {
-    measure_edges(&s, trusted_hexes);
+    measure_edges(&s, healthy);
     solve(&s, work);
     for (size_t i = 0; i < PATCH_EDGES * p->hex_count; i++)
       p->stretch[i] = exp(-s.lengths[s.edges[i]]);

@@ -10,10 +10,10 @@
  * harmonic between them. Opposite edges of a hex pull each other strongly, so that a length runs
  * along its sheet of the mesh and a graded or anisotropic mesh keeps its grading; other edges of a
  * hex weakly, which decides where a sheet has no trusted edge.
- * @param trusted_hexes  [hex_count] whether the hex's present edges are trusted; NULL: none.
- *                       Edges between fixed points always are.
+ * @param healthy  [hex_count] whether a hex is: edges whose hexes all are are trusted; NULL: none
+ *                 is. Edges between fixed points always are trusted.
  * Cost: hex_count^(4/3).
  */
-hexcon_status edge_lengths_spread(hexcon_context *context, patch *p, const uint8_t *trusted_hexes);
+hexcon_status edge_lengths_spread(hexcon_context *context, patch *p, const uint8_t *healthy);
 
 #endif

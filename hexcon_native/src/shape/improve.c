@@ -19,6 +19,9 @@ enum {
   SHARPENED_AT_ONCE = 3000 /* hexes of a group: a patch that a cache holds */
 };
 
+/** A scaled Jacobian that nobody needs better. */
+static const double good_enough = 0.999;
+
 /** Quality of a hex that is not proved positive: its scaled Jacobian less this. */
 static const double penalty = 2;
 
@@ -288,7 +291,7 @@ static hexcon_status improve_ordered(hexcon_context *context, canonical_order *m
          sharpenings = 0;
   improvement m = {.points = mesh->points,
                    .threads = workers_count(options->threads),
-                   .target = options->target > 0 ? options->target : 1};
+                   .target = fmin(options->target > 0 ? options->target : 1, good_enough)};
   hexcon_status status =
       improvement_new(context, &m, mesh->hexes, mesh->hex_count, mesh->point_count, mesh->fixed);
   if (!status)

@@ -80,7 +80,7 @@ hexcon_status reference_placement(hexcon_context *context, patch *p) {
     apply(&s, p->x, work[4]);
     for (size_t i = 0; i < count; i++)
       work[4][i] = -work[4][i];
-    conjugate_gradients(&system, work[4], 1e-4, 2000, work[5]);
+    conjugate_gradients(&system, work[4], 1e-5, 2000, work[5]);
     for (size_t i = 0; i < count; i++)
       p->x[i] += work[5][i];
   }

@@ -42,52 +42,70 @@ hexcon_status untangle_watching(hexcon_context *context, newton *n, patch *p, bo
   return status;
 }
 
-/** The better start first. Returns the energies' verdict: whether the placement is better. */
-static bool placement_is_better(const patch *p, const double *given, const double *placed) {
+/** States of a patch's points, [3 point_count] each. */
+typedef struct repair_states {
+  double *given, *placed, *best;
+} repair_states;
+
+static bool placement_is_better(const patch *p, const repair_states *states) {
   const frame_energy_options options = {.epsilon = 1, .theta = 0.125};
-  return patch_energy(p, placed, &options, NULL, NULL).energy <
-         patch_energy(p, given, &options, NULL, NULL).energy;
+  return patch_energy(p, states->placed, &options, NULL, NULL).energy <
+         patch_energy(p, states->given, &options, NULL, NULL).energy;
 }
 
-static hexcon_status try_starts(hexcon_context *context, newton *n, patch *p, double *given,
-                                double *placed, double *best, size_t *bad) {
+/** Untangle from both starts, the better one first; in haste, then patiently. */
+static hexcon_status try_starts(hexcon_context *context, patch *p, repair_states *states,
+                                size_t *bad) {
   size_t bytes = 3 * p->point_count * sizeof *p->x;
-  hexcon_status status = reference_placement(context, p);
-  memcpy(placed, p->x, bytes);
-  memcpy(best, given, bytes);
-  bool first_placed = placement_is_better(p, given, placed);
+  bool first_placed = placement_is_better(p, states);
+  newton n;
+  hexcon_status status = newton_new(context, p, &n);
   for (int attempt = 0; !status && attempt < 4 && *bad > 0; attempt++) {
     size_t now = *bad;
-    memcpy(p->x, (attempt % 2 == 0) == first_placed ? placed : given, bytes);
-    status = untangle_watching(context, n, p, attempt >= 2, &now);
+    memcpy(p->x, (attempt % 2 == 0) == first_placed ? states->placed : states->given, bytes);
+    status = untangle_watching(context, &n, p, attempt >= 2, &now);
     if (now < *bad) {
       *bad = now;
-      memcpy(best, p->x, bytes);
+      memcpy(states->best, p->x, bytes);
     }
   }
-  memcpy(p->x, best, bytes);
+  memcpy(p->x, states->best, bytes);
+  newton_free(context, &n);
   return status;
+}
+
+/** Place by the targets alone; the state to beat is the better of that and the given one.
+ * @return whether it is good enough: nothing bad is left, or, in a large patch, so little that it
+ * is better repaired piece by piece */
+static bool try_placement(patch *p, repair_states *states, size_t *bad) {
+  const size_t large = 10000, much_fewer = 10;
+  size_t bytes = 3 * p->point_count * sizeof *p->x, left = patch_count_bad(p, NULL);
+  memcpy(states->placed, p->x, bytes);
+  memcpy(states->best, left < *bad ? states->placed : states->given, bytes);
+  bool enough = left == 0 || (p->free_count > large && left * much_fewer < *bad);
+  *bad = left < *bad ? left : *bad;
+  memcpy(p->x, states->best, bytes);
+  return enough;
 }
 
 hexcon_status repair_patch(hexcon_context *context, patch *p, const uint8_t *healthy, size_t *bad) {
   size_t size = 3 * sizeof *p->x;
-  newton n = {0};
-  double *given = context_allocate(context, p->point_count, size);
-  double *placed = context_allocate(context, p->point_count, size);
-  double *best = context_allocate(context, p->point_count, size);
-  hexcon_status status = given && placed && best ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
+  repair_states states = {context_allocate(context, p->point_count, size),
+                          context_allocate(context, p->point_count, size),
+                          context_allocate(context, p->point_count, size)};
+  hexcon_status status =
+      states.given && states.placed && states.best ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
   *bad = patch_count_bad(p, NULL);
-  if (!status)
-    status = newton_new(context, p, &n);
   if (!status) {
-    memcpy(given, p->x, size * p->point_count);
+    memcpy(states.given, p->x, size * p->point_count);
     status = edge_lengths_spread(context, p, healthy);
   }
   if (!status)
-    status = try_starts(context, &n, p, given, placed, best, bad);
-  newton_free(context, &n);
-  context_free(context, given);
-  context_free(context, placed);
-  context_free(context, best);
+    status = reference_placement(context, p);
+  if (!status && !try_placement(p, &states, bad))
+    status = try_starts(context, p, &states, bad);
+  context_free(context, states.given);
+  context_free(context, states.placed);
+  context_free(context, states.best);
   return status;
 }
