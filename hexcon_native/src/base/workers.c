@@ -12,6 +12,7 @@ typedef struct shared_work {
   atomic_size_t next;
   atomic_bool stopped;
   size_t count;
+  const char *stage;
   work_function work;
   void *user;
 } shared_work;
@@ -36,14 +37,19 @@ static void *locked_reallocate(void *user, void *memory, size_t size) {
   return result;
 }
 
-/** The calling thread asks the user; the others only hear of it. */
+/** The calling thread asks the user; the others only hear of it. What an item says of itself is not
+ * the user's concern: there are many. */
 static bool report(void *user, const char *stage, double fraction) {
+  (void)stage, (void)fraction;
   worker *w = user;
-  hexcon_context *parent = w->shared->parent;
-  if (w->number == 0 && parent->progress &&
-      !parent->progress(parent->progress_user, stage, fraction))
-    return false;
-  return w->number == 0 || !atomic_load(&w->shared->stopped);
+  shared_work *shared = w->shared;
+  if (w->number > 0)
+    return !atomic_load(&shared->stopped);
+  size_t begun = atomic_load(&shared->next);
+  begun = begun < shared->count ? begun : shared->count;
+  return !shared->parent->progress ||
+         shared->parent->progress(shared->parent->progress_user, shared->stage,
+                                  (double)begun / (double)shared->count);
 }
 
 static int run_worker(void *argument) {
@@ -92,14 +98,15 @@ static void run_threads(shared_work *shared, worker *workers, int count) {
     (void)thrd_join(threads[i], NULL);
 }
 
-hexcon_status workers_run(hexcon_context *context, int threads, size_t count, work_function work,
-                          void *user) {
+hexcon_status workers_run(hexcon_context *context, int threads, size_t count, const char *stage,
+                          work_function work, void *user) {
   if ((size_t)threads > count)
     threads = count > 0 ? (int)count : 1;
   worker *workers = context_allocate_zeroed(context, (size_t)threads, sizeof *workers);
   if (!workers)
     return HEXCON_OUT_OF_MEMORY;
-  shared_work shared = {.parent = context, .count = count, .work = work, .user = user};
+  shared_work shared = {
+      .parent = context, .count = count, .stage = stage, .work = work, .user = user};
   atomic_init(&shared.next, 0);
   atomic_init(&shared.stopped, false);
   hexcon_status status = HEXCON_OUT_OF_MEMORY;

@@ -2,6 +2,7 @@
 #include "improve.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -36,6 +37,7 @@ typedef struct improvement {
   int threads;
   double target;
   double distance; /* of sharpen_patch */
+  char stage[64];  /* for the user */
 } improvement;
 
 /** What is never made worse, in this order. */
@@ -153,7 +155,7 @@ static hexcon_status improve_groups(hexcon_context *context, improvement *m, int
                                             m->groups.starts[g + 1] - m->groups.starts[g], layers))
         m->postponed[g] = 0;
     left -= m->set.count;
-    status = workers_run(context, m->threads, m->set.count, improve_region, m);
+    status = workers_run(context, m->threads, m->set.count, m->stage, improve_region, m);
   }
   region_set_clear(&m->set);
   return status;
@@ -183,6 +185,7 @@ static hexcon_status repair_mesh(hexcon_context *context, improvement *m, int ro
     before = count;
     if (size == most)
       break;
+    (void)snprintf(m->stage, sizeof m->stage, "untangling, %zu hexes inverted", count);
     hex_groups_fill(&m->set, m->seeds, count, SIZE_MAX, &m->groups);
     status = improve_groups(context, m, layers[size]);
   }
@@ -227,6 +230,7 @@ static hexcon_status rank_seeds(hexcon_context *context, improvement *m, double 
     worst = fmin(worst, m->quality[h]);
     mean += m->quality[h] / (double)hex_count;
   }
+  (void)snprintf(m->stage, sizeof m->stage, "optimisation, worst scaled Jacobian %.3f", worst);
   double limit = fmin(worst + reach * fmax(mean - worst, 1e-3), m->target);
   for (size_t h = 0; h < hex_count; h++)
     if (m->quality[h] < limit && has_free_point(m, h))
@@ -295,7 +299,7 @@ static hexcon_status improve_ordered(hexcon_context *context, canonical_order *m
   hexcon_status status =
       improvement_new(context, &m, mesh->hexes, mesh->hex_count, mesh->point_count, mesh->fixed);
   if (!status)
-    status = workers_run(context, m.threads, ranges, measure_range, &m);
+    status = workers_run(context, m.threads, ranges, "measuring", measure_range, &m);
   if (!status)
     status = repair_mesh(context, &m, most, &repairs);
   if (!status)
