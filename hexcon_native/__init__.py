@@ -221,10 +221,15 @@ class Certificate:
     proper           two hexes meet in nothing, one vertex, one edge or one face
     boundary_exact   the faces in one hex only are the given quads, outward
     nonpositive      (K,) int32, hexes whose Jacobian is not proved positive
+    witnesses        (K, 3) float64, of each of them local coordinates in [0, 1]^3 where the Jacobian
+                     is proved zero or negative: corner 0 of the hex lies at (0, 0, 0), 1 at
+                     (1, 0, 0), 3 at (0, 1, 0), 4 at (0, 0, 1); NaN for the undecided
     undecided        how many of them are not proved non-positive either
     doublets         (D, 2) int32, pairs of hexes that share two or more faces
     improper         (I,) int32, hexes that meet another improperly
     euler            points - edges + faces - hexes
+
+    Its arrays are read-only.
     """
 
     def __init__(self, facts):
@@ -235,15 +240,20 @@ class Certificate:
         self.euler = facts["euler"]
         self.undecided = facts["undecided"]
         self.nonpositive = _array(facts["nonpositive"], np.int32)
+        self.witnesses = _array(facts["witnesses"], np.float64, 3)
         self.doublets = _array(facts["doublets"], np.int32, 2)
         self.improper = _array(facts["improper"], np.int32)
+        for array in (self.nonpositive, self.witnesses, self.doublets, self.improper):
+            array.flags.writeable = False
 
     def as_dict(self):
-        """Plain numbers, for JSON; lists are cut at 1000 entries."""
+        """Plain numbers, for JSON; lists are cut at 1000 entries; no witness: None."""
         facts = dict(vars(self))
         for name in ("nonpositive", "doublets", "improper"):
             facts[name + "_count"] = len(facts[name])
             facts[name] = facts[name][:1000].tolist()
+        facts["witnesses"] = [None if np.isnan(point[0]) else point.tolist()
+                              for point in self.witnesses[:1000]]
         return facts
 
     def __repr__(self):

@@ -65,6 +65,7 @@ class Certificate:
     euler: int
     undecided: int
     nonpositive: NDArray[np.int32]
+    witnesses: NDArray[np.float64]
     doublets: NDArray[np.int32]
     improper: NDArray[np.int32]
     def as_dict(self) -> dict[str, Any]: ...

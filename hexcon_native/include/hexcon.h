@@ -62,7 +62,7 @@ typedef struct hexcon_context hexcon_context;
 
 /**
  * Called now and then during long work, always from the calling thread.
- * @param stage     what is being done, static text
+ * @param stage     what is being done, valid during the call; optimisation says the worst value
  * @param fraction  of that stage, in [0, 1]
  * @return false to cancel: the running call ends with HEXCON_CANCELLED
  */
@@ -155,8 +155,16 @@ typedef struct hexcon_certificate {
   bool boundary_exact; /**< the faces in one hex only are the given quads, outward */
   int64_t euler;       /**< points used - edges + faces - hexes */
   size_t nonpositive_count;
-  int32_t *nonpositive;   /**< hexes whose Jacobian is not proved positive, ascending */
-  size_t undecided_count; /**< how many of them are not proved non-positive either */
+  int32_t *nonpositive; /**< hexes whose Jacobian is not proved positive, ascending */
+  /**
+   * [nonpositive_count][3] for each of them local coordinates (r, s, t) in [0, 1]^3 of a point of
+   * the hex where the Jacobian is proved zero or negative, exact as they are: corner 0 of the hex
+   * lies at (0, 0, 0), 1 at (1, 0, 0), 3 at (0, 1, 0), 4 at (0, 0, 1). NaN for the undecided.
+   */
+  double *witnesses;
+  /** How many of them are not proved non-positive either: as far as can be told, their Jacobian
+   * touches zero at a point that no doubles name, such as a third of an edge. */
+  size_t undecided_count;
   size_t doublet_count;
   int32_t *doublets; /**< [doublet_count][2] hexes that share two or more faces */
   size_t improper_count;
@@ -166,7 +174,7 @@ typedef struct hexcon_certificate {
 /**
  * Prove a hex mesh: topology by counting, Jacobians by Bernstein coefficients with subdivision, a
  * rigorous bound on rounding, and exact arithmetic where that bound leaves the sign open. Shares no
- * code with the builder. Linear.
+ * code with the builder. Expected linear, whatever the numbering.
  * @param quads  [quad_count][4] the surface, outward
  * @param certificate  filled; free with hexcon_certificate_free
  * Errors: EMPTY, TOO_LARGE, INDEX_OUT_OF_RANGE, NOT_FINITE, REPEATED_VERTEX, OUT_OF_MEMORY,

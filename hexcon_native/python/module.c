@@ -135,14 +135,15 @@ static PyObject *quality(PyObject *module, PyObject *arguments) {
 }
 
 static PyObject *certificate_as_dict(const hexcon_certificate *c) {
-  return Py_BuildValue("{s:N,s:N,s:N,s:N,s:L,s:N,s:n,s:N,s:N}", "certified", boolean(c->certified),
-                       "conforming", boolean(c->conforming), "proper", boolean(c->proper),
-                       "boundary_exact", boolean(c->boundary_exact), "euler", (long long)c->euler,
-                       "nonpositive",
-                       buffer_copy(c->nonpositive, c->nonpositive_count, sizeof(int32_t)),
-                       "undecided", (Py_ssize_t)c->undecided_count, "doublets",
-                       buffer_copy(c->doublets, 2 * c->doublet_count, sizeof(int32_t)), "improper",
-                       buffer_copy(c->improper, c->improper_count, sizeof(int32_t)));
+  return Py_BuildValue(
+      "{s:N,s:N,s:N,s:N,s:L,s:N,s:N,s:n,s:N,s:N}", "certified", boolean(c->certified), "conforming",
+      boolean(c->conforming), "proper", boolean(c->proper), "boundary_exact",
+      boolean(c->boundary_exact), "euler", (long long)c->euler, "nonpositive",
+      buffer_copy(c->nonpositive, c->nonpositive_count, sizeof(int32_t)), "witnesses",
+      buffer_copy(c->witnesses, 3 * c->nonpositive_count, sizeof(double)), "undecided",
+      (Py_ssize_t)c->undecided_count, "doublets",
+      buffer_copy(c->doublets, 2 * c->doublet_count, sizeof(int32_t)), "improper",
+      buffer_copy(c->improper, c->improper_count, sizeof(int32_t)));
 }
 
 static PyObject *certify(PyObject *module, PyObject *arguments) {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "support.h"
+#include "verify/jacobian_sign.h"
 
 static hexcon_certificate certify(hexcon_context *context, const test_mesh *mesh) {
   hexcon_certificate c;
@@ -14,6 +15,16 @@ static hexcon_certificate certify(hexcon_context *context, const test_mesh *mesh
   assert_int_equal(c.certified,
                    c.conforming && c.proper && c.boundary_exact && c.nonpositive_count == 0);
   assert_int_equal(c.proper, c.improper_count == 0);
+  size_t undecided = 0;
+  for (size_t i = 0; i < c.nonpositive_count; i++) {
+    double witness[3];
+    jacobian_sign sign =
+        prove_jacobian_sign_at(mesh->points, mesh->hexes + 8 * (size_t)c.nonpositive[i], witness);
+    assert_int_not_equal(sign, JACOBIAN_POSITIVE);
+    assert_memory_equal(c.witnesses + 3 * i, witness, sizeof witness);
+    undecided += sign == JACOBIAN_UNDECIDED;
+  }
+  assert_int_equal(c.undecided_count, undecided);
   return c;
 }
 
@@ -64,6 +75,8 @@ static void pinched(void **state) {
   (void)state;
   expect(make_cells(2, 2, 1, "#..#"), (verdict){false, true, true, 1, 0, 0});     /* an edge */
   expect(make_cells(2, 2, 2, "#......#"), (verdict){false, true, true, 1, 0, 0}); /* a point */
+  /* an edge whose hexes meet around each of its ends */
+  expect(make_cells(2, 2, 3, "##.##..###.#"), (verdict){false, true, true, 1, 0, 0});
   /* a ring whose ends meet in an edge only, and one of them in a point */
   expect(make_cells(3, 3, 1, "####..##."), (verdict){true, true, true, 1, 0, 0});
   expect(make_cells(3, 3, 1, "###.##.#."), (verdict){true, true, true, 1, 0, 0});
@@ -164,6 +177,53 @@ static void face_in_three_hexes(void **state) {
   assert_false(c.certified);
   assert_false(c.conforming);
   assert_false(c.boundary_exact);
+  hexcon_certificate_free(context, &c);
+  hexcon_context_free(context);
+  test_mesh_free(&mesh);
+}
+
+/** Two hexes on the same four points: only one way round, from any of its corners, fits. */
+static void ways_to_meet_in_a_face(void **state) {
+  (void)state;
+  int conforming = 0;
+  for (int way = 0; way < 256; way++) {
+    int32_t ids[4] = {way & 3, way >> 2 & 3, way >> 4 & 3, way >> 6};
+    if ((1 << ids[0] | 1 << ids[1] | 1 << ids[2] | 1 << ids[3]) != 15)
+      continue;
+    test_mesh mesh = make_surface((const double[12][3]){{0}}, 12, NULL, 0);
+    add_hex(&mesh, (int32_t[]){0, 1, 2, 3, 4, 5, 6, 7});
+    add_hex(&mesh, (int32_t[]){ids[0], ids[1], ids[2], ids[3], 8, 9, 10, 11});
+    hexcon_context *context = hexcon_context_new();
+    hexcon_certificate c = certify(context, &mesh);
+    bool cycle = ((ids[0] ^ ids[2]) & 3) == 2;
+    bool against = cycle && ((ids[0] - ids[1]) & 3) == 1;
+    assert_int_equal(c.conforming, against);
+    assert_int_equal(c.proper, cycle);
+    conforming += c.conforming;
+    hexcon_certificate_free(context, &c);
+    hexcon_context_free(context);
+    test_mesh_free(&mesh);
+  }
+  assert_int_equal(conforming, 4);
+}
+
+/** A ring of hexes around a point, and one more hex at it: the link is an annulus and a disc, whose
+ * Euler characteristic is that of a disc. */
+static void ring_and_one_more(void **state) {
+  (void)state;
+  test_mesh mesh = make_cells(2, 2, 2, ".######.");
+  int32_t n = (int32_t)mesh.point_count;
+  double *points = realloc(mesh.points, 3 * (size_t)(n + 7) * sizeof *points);
+  assert_non_null(points);
+  mesh.points = points;
+  memset(points + 3 * n, 0, 21 * sizeof *points);
+  mesh.point_count += 7;
+  add_hex(&mesh,
+          (int32_t[]){point_at(&mesh, 1, 1, 1), n, n + 1, n + 2, n + 3, n + 4, n + 5, n + 6});
+  hexcon_context *context = hexcon_context_new();
+  hexcon_certificate c = certify(context, &mesh);
+  assert_true(c.proper);
+  assert_false(c.conforming);
   hexcon_certificate_free(context, &c);
   hexcon_context_free(context);
   test_mesh_free(&mesh);
@@ -363,6 +423,8 @@ int main(void) {
       cmocka_unit_test(any_order_of_quads),
       cmocka_unit_test(duplicated_hex),
       cmocka_unit_test(face_in_three_hexes),
+      cmocka_unit_test(ways_to_meet_in_a_face),
+      cmocka_unit_test(ring_and_one_more),
       cmocka_unit_test(doublet),
       cmocka_unit_test(proper_pairs),
       cmocka_unit_test(random_pairs),

@@ -11,8 +11,25 @@ static const int32_t in_order[8] = {0, 1, 2, 3, 4, 5, 6, 7};
 static const double unit_cube[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                                        {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
 
+/** VTK's corners as bits. */
+static const int corner_bits[8] = {0, 1, 3, 2, 4, 5, 7, 6};
+
+/** A witness lies in the hex; there is one exactly if the hex is proved not positive. */
+static jacobian_sign sign_at(const double points[8][3], double witness[3]) {
+  jacobian_sign sign = prove_jacobian_sign_at(&points[0][0], in_order, witness);
+  for (int k = 0; k < 3; k++)
+    if (sign == JACOBIAN_NONPOSITIVE)
+      assert_true(witness[k] >= 0 && witness[k] <= 1);
+    else
+      assert_true(isnan(witness[k]));
+  return sign;
+}
+
 static jacobian_sign sign_of(const double points[8][3]) {
-  return prove_jacobian_sign(&points[0][0], in_order);
+  double witness[3];
+  jacobian_sign sign = sign_at(points, witness);
+  assert_int_equal(prove_jacobian_sign(&points[0][0], in_order), sign);
+  return sign;
 }
 
 static double quality_of(const double points[8][3]) {
@@ -166,9 +183,6 @@ static int exact_sign(const wide v[27], int depth, bool *zero) {
   return second < 0 ? -1 : first & second;
 }
 
-/** VTK's corners as bits. */
-static const int corner_bits[8] = {0, 1, 3, 2, 4, 5, 7, 6};
-
 static int exact_sign_of(int points[8][3], bool *zero) {
   int corners[8][3];
   wide value[27];
@@ -177,6 +191,28 @@ static int exact_sign_of(int points[8][3], bool *zero) {
   exact_coefficients(corners, value);
   *zero = false;
   return exact_sign(value, 15, zero);
+}
+
+/** The Jacobian of integer corners at a point whose coordinates have 12 bits, exactly up to a
+ * positive factor. Written from the definition of the trilinear map. */
+static wide exact_jacobian(int points[8][3], const double at[3]) {
+  wide d[3][3] = {{0}}, sum = 0;
+  for (int v = 0; v < 8; v++)
+    for (int axis = 0; axis < 3; axis++) {
+      wide weight = corner_bits[v] >> axis & 1 ? 1 : -1;
+      for (int other = 0; other < 3; other++) {
+        double u = corner_bits[v] >> other & 1 ? at[other] : 1 - at[other];
+        assert_true(0x1p12 * u == floor(0x1p12 * u));
+        if (other != axis)
+          weight *= (int)(0x1p12 * u);
+      }
+      for (int k = 0; k < 3; k++)
+        d[axis][k] += weight * points[v][k];
+    }
+  for (int k = 0; k < 3; k++)
+    sum +=
+        d[0][k] * (d[1][(k + 1) % 3] * d[2][(k + 2) % 3] - d[1][(k + 2) % 3] * d[2][(k + 1) % 3]);
+  return sum;
 }
 
 static void random_hex(uint64_t *random, int size, int spread, int points[8][3]) {
@@ -205,8 +241,11 @@ static void random_integer_hexes(void **state) {
     int exact = exact_sign_of(hex, &zero);
     counts[exact + 1]++;
     for (int exponent = -498; exponent <= 498; exponent += 249) {
+      double witness[3];
       scale_points(hex, ldexp(1, exponent), points);
-      jacobian_sign sign = sign_of((const double(*)[3])points);
+      jacobian_sign sign = sign_at((const double(*)[3])points, witness);
+      if (sign == JACOBIAN_NONPOSITIVE)
+        assert_true(exact_jacobian(hex, witness) <= 0);
       if (exact == 1)
         assert_int_equal(sign, JACOBIAN_POSITIVE);
       else if (exact == -1)
@@ -237,11 +276,27 @@ static void positive_corners_are_no_proof(void **state) {
     if (!positive || exact_sign_of(hex, &zero) != -1 || zero)
       continue;
     found++;
+    double witness[3];
     scale_points(hex, 1, points);
     assert_true(quality_of((const double(*)[3])points) > 0);
-    assert_int_equal(sign_of((const double(*)[3])points), JACOBIAN_NONPOSITIVE);
+    assert_int_equal(sign_at((const double(*)[3])points, witness), JACOBIAN_NONPOSITIVE);
+    assert_true(exact_jacobian(hex, witness) <= 0);
   }
   assert_true(found >= 5);
+}
+
+/** A cube with one corner pressed into the plane of its neighbours, or a little beyond. */
+static void witness_at_a_corner(void **state) {
+  (void)state;
+  for (int v = 0; v < 8; v++)
+    for (int beyond = 0; beyond < 2; beyond++) {
+      double points[8][3], witness[3], in[3] = {0.25, 0.25, 0.5 + beyond / 16.0};
+      memcpy(points, unit_cube, sizeof points);
+      for (int k = 0; k < 3; k++)
+        points[v][k] = fabs(unit_cube[v][k] - in[k]);
+      assert_int_equal(sign_at((const double(*)[3])points, witness), JACOBIAN_NONPOSITIVE);
+      assert_memory_equal(witness, unit_cube[v], sizeof witness);
+    }
 }
 
 /* ---------------------------------------------------------------------------- special hexes */
@@ -272,12 +327,19 @@ static void extreme_coordinates(void **state) {
   assert_int_equal(sign_of((const double(*)[3])points), JACOBIAN_POSITIVE);
   map_cube((double[3][3]){{1, 0, 0}, {0, 1, 0}, {0, 0, 1e-9}}, 1, 0, points);
   assert_int_equal(sign_of((const double(*)[3])points), JACOBIAN_POSITIVE);
-  map_cube(identity, 1.7e308, 0, points); /* the largest numbers: any answer but a wrong one */
-  assert_int_not_equal(sign_of((const double(*)[3])points), JACOBIAN_NONPOSITIVE);
-  for (int v = 0; v < 8; v++) /* edges that overflow */
-    for (int k = 0; k < 3; k++)
-      points[v][k] = 1.7e308 * (1 - 2 * unit_cube[v][k]);
-  assert_int_not_equal(sign_of((const double(*)[3])points), JACOBIAN_POSITIVE);
+  map_cube(identity, 1.7e308, 0, points); /* the largest numbers */
+  assert_int_equal(sign_of((const double(*)[3])points), JACOBIAN_POSITIVE);
+  map_cube(identity, 0x1p-1074, 0, points); /* the smallest */
+  assert_int_equal(sign_of((const double(*)[3])points), JACOBIAN_POSITIVE);
+  map_cube((double[3][3]){{1e300, 0, 0}, {0, 1e-300, 0}, {0, 0, 1e-300}}, 1, 0, points);
+  assert_int_equal(sign_of((const double(*)[3])points), JACOBIAN_POSITIVE);
+  for (int turned = 0; turned < 2; turned++) { /* edges that overflow */
+    for (int v = 0; v < 8; v++)
+      for (int k = 0; k < 3; k++)
+        points[v][k] = 1.7e308 * (2 * unit_cube[v][k] - 1) * (turned ? -1 : 1);
+    assert_int_equal(sign_of((const double(*)[3])points),
+                     turned ? JACOBIAN_NONPOSITIVE : JACOBIAN_POSITIVE);
+  }
 }
 
 /** No hex with a coordinate that is no number is positive. */
@@ -305,7 +367,10 @@ static void filter_and_exact_agree(void **state) {
     random_hex(&random, 8, 2 + round % 5, hex);
     scale_points(hex, 0x1p-40, points);
     int truth = exact_sign_of(hex, &zero);
-    jacobian_sign sign = prove_jacobian_sign_exactly(&points[0][0], in_order);
+    double witness[3];
+    jacobian_sign sign = prove_jacobian_sign_exactly(&points[0][0], in_order, witness);
+    if (sign == JACOBIAN_NONPOSITIVE)
+      assert_true(exact_jacobian(hex, witness) <= 0);
     if (truth > 0)
       assert_int_equal(sign, JACOBIAN_POSITIVE);
     if (truth < 0)
@@ -330,17 +395,62 @@ static void zero_jacobians(void **state) {
   assert_int_equal(sign_of((const double(*)[3])points), JACOBIAN_NONPOSITIVE);
   memcpy(points, unit_cube, sizeof points);
   memcpy(points[1], points[0], sizeof points[1]); /* an edge of length 0 */
-  assert_int_not_equal(sign_of((const double(*)[3])points), JACOBIAN_POSITIVE);
+  assert_int_equal(sign_of((const double(*)[3])points), JACOBIAN_NONPOSITIVE);
   memcpy(points, unit_cube, sizeof points);
   for (int v = 4; v < 8; v++)
     memcpy(points[v], points[4], sizeof points[v]); /* a pyramid */
-  assert_int_not_equal(sign_of((const double(*)[3])points), JACOBIAN_POSITIVE);
+  assert_int_equal(sign_of((const double(*)[3])points), JACOBIAN_NONPOSITIVE);
   for (int round = 0; round < 200; round++) { /* flat, all of it */
     map_cube((double[3][3]){{1, 0.1 * round, 0}, {0.3, 1, 0}, {0, 0, 0}}, 1, 0, points);
-    assert_int_not_equal(sign_of((const double(*)[3])points), JACOBIAN_POSITIVE);
+    assert_int_equal(sign_of((const double(*)[3])points), JACOBIAN_NONPOSITIVE);
   }
   memset(points, 0, sizeof points);
-  assert_int_not_equal(sign_of((const double(*)[3])points), JACOBIAN_POSITIVE);
+  assert_int_equal(sign_of((const double(*)[3])points), JACOBIAN_NONPOSITIVE);
+}
+
+/** Few hexes are undecided: the Jacobian of those is 0 at a third, a fifth .. of an edge, and
+ * positive elsewhere. */
+static void undecided_hexes(void **state) {
+  (void)state;
+  /* 0 at (2/3, 0, 1) */
+  const double third[8][3] = {{-1, -1, -1}, {2, 1, 0}, {3, 3, 0}, {-1, 3, -1},
+                              {1, 1, 3},    {1, 0, 1}, {2, 1, 2}, {-1, 3, 3}};
+  assert_int_equal(sign_of(third), JACOBIAN_UNDECIDED);
+  uint64_t random = 11;
+  int undecided = 0;
+  for (int round = 0; round < 20000; round++) {
+    int hex[8][3];
+    double points[8][3];
+    random_hex(&random, 2 + round % 3, 1 + round % 2, hex);
+    scale_points(hex, 1, points);
+    undecided += sign_of((const double(*)[3])points) == JACOBIAN_UNDECIDED;
+  }
+  assert_true(undecided <= 20000 / 2000);
+}
+
+/** On the way from a hex that is positive to one that is not, every one is decided, down to
+ * neighbouring doubles. */
+static void touching_zero(void **state) {
+  (void)state;
+  uint64_t random = 31;
+  for (int round = 0; round < 30; round++) {
+    double good[8][3], bad[8][3], points[8][3], low = 0, high = 1;
+    for (int v = 0; v < 8; v++)
+      for (int k = 0; k < 3; k++) {
+        good[v][k] = unit_cube[v][k] + random_between(&random, -0.05, 0.05);
+        bad[v][k] = unit_cube[v][k] + random_between(&random, -0.6, 0.6);
+      }
+    if (sign_of((const double(*)[3])bad) != JACOBIAN_NONPOSITIVE)
+      continue;
+    for (double middle = 0.5; middle > low && middle < high; middle = (low + high) / 2) {
+      for (int i = 0; i < 24; i++)
+        points[i / 3][i % 3] =
+            good[i / 3][i % 3] + middle * (bad[i / 3][i % 3] - good[i / 3][i % 3]);
+      jacobian_sign sign = sign_of((const double(*)[3])points);
+      assert_int_not_equal(sign, JACOBIAN_UNDECIDED);
+      *(sign == JACOBIAN_POSITIVE ? &low : &high) = middle;
+    }
+  }
 }
 
 /** The Jacobian in long double at a point of the unit cube. */
@@ -436,10 +546,13 @@ int main(void) {
       cmocka_unit_test(quality_faults),
       cmocka_unit_test(random_integer_hexes),
       cmocka_unit_test(positive_corners_are_no_proof),
+      cmocka_unit_test(witness_at_a_corner),
       cmocka_unit_test(plain_hexes),
       cmocka_unit_test(extreme_coordinates),
       cmocka_unit_test(not_a_number),
       cmocka_unit_test(zero_jacobians),
+      cmocka_unit_test(undecided_hexes),
+      cmocka_unit_test(touching_zero),
       cmocka_unit_test(filter_and_exact_agree),
       cmocka_unit_test(random_real_hexes),
       cmocka_unit_test(numbering_does_not_matter),

@@ -66,8 +66,8 @@ static hexcon_status certify(hexcon_context *context, const test_mesh *mesh) {
       hexcon_certify(context, mesh->points, mesh->point_count, mesh->hexes, mesh->hex_count,
                      mesh->quads, mesh->quad_count, &certificate);
   if (status)
-    assert_true(!certificate.nonpositive && !certificate.doublets && !certificate.improper &&
-                !certificate.certified);
+    assert_true(!certificate.nonpositive && !certificate.witnesses && !certificate.doublets &&
+                !certificate.improper && !certificate.certified);
   hexcon_certificate_free(context, &certificate);
   return status;
 }

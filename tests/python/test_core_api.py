@@ -455,8 +455,13 @@ def test_certificate_of_a_bad_mesh():
     assert not certificate.certified and certificate.boundary_exact and certificate.proper
     assert len(certificate.nonpositive) > 0
     assert hn.certify(MESH.points, MESH.hexes, QUADS[:-1]).boundary_exact is False
+    assert certificate.witnesses.shape == (len(certificate.nonpositive), 3)
+    for array in (certificate.nonpositive, certificate.witnesses, certificate.doublets,
+                  certificate.improper):
+        assert not array.flags.writeable
     plain = certificate.as_dict()
     assert plain["nonpositive_count"] == len(certificate.nonpositive)
+    assert plain["witnesses"] == certificate.witnesses.tolist()
 
 
 def test_certify_order_2():

@@ -245,16 +245,15 @@ def test_jacobian_judges_agree(spread):
     assert (samples[positive] > 0).all()
 
 
-def exact_corner_jacobian(corners, i):
-    """The determinant at corner i in rational numbers; float64 values are rationals."""
-    x = [[Fraction(float(v)) for v in p] for p in corners]
-    rows = []
-    for axis in range(3):
-        toward = mesh_checker.CORNERS[i].copy()
-        toward[axis] ^= 1
-        j = int(np.flatnonzero((mesh_checker.CORNERS == toward).all(axis=1))[0])
-        sign = 1 if mesh_checker.CORNERS[j, axis] else -1
-        rows.append([sign * (b - a) for a, b in zip(x[i], x[j])])
+def exact_jacobian(corners, at):
+    """The Jacobian at a point in rational numbers; float64 values are rationals."""
+    at = [Fraction(u) for u in at]
+    rows = [[Fraction(0)] * 3 for _ in range(3)]
+    for corner, place in zip(corners, mesh_checker.CORNERS.tolist()):
+        factors = [u if on else 1 - u for u, on in zip(at, place)]
+        for axis in range(3):
+            weight = factors[axis - 1] * factors[axis - 2] * (1 if place[axis] else -1)
+            rows[axis] = [sum_ + weight * Fraction(float(x)) for sum_, x in zip(rows[axis], corner)]
     a, b, c = rows
     return (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
             + a[2] * (b[0] * c[1] - b[1] * c[0]))
@@ -272,13 +271,109 @@ def test_corners_within_rounding_of_flat():
         near = np.abs(mesh_checker.CORNERS - mesh_checker.CORNERS[i]).sum(axis=1) == 1
         corners[i] = rng.dirichlet([3, 3, 3]) @ corners[near]
         corners *= 10.0 ** rng.integers(-30, 30)
-        exact = exact_corner_jacobian(corners, i)
+        exact = exact_jacobian(corners, mesh_checker.CORNERS[i].tolist())
         signs.add(exact > 0)
         certificate = hn.certify(corners, hexes, quads)
         assert certificate.undecided == 0
         if exact <= 0:
             assert certificate.nonpositive.tolist() == [0]
     assert signs == {True, False}
+
+
+def distorted(rng, n, spread):
+    return mesh_checker.CORNERS + rng.uniform(-spread, spread, (n, 8, 3))
+
+
+def flat(rng, n):
+    """Within 1e-12 of a plane, far from the origin, each its own."""
+    thin = distorted(rng, n, 0.5) * [1, 1, 1e-12]
+    return thin @ np.linalg.qr(rng.normal(size=(n, 3, 3)))[0] + 1000
+
+
+def lattice(rng, n):
+    """Small integers: many Jacobians are zero somewhere."""
+    return rng.integers(0, 3, (n, 8, 3)).astype(float)
+
+
+def corner_in_plane(rng, n):
+    """The corner at the origin in one plane with its neighbours, in binary fractions: exactly."""
+    hexes = distorted(rng, n, 0.1)
+    a, b = rng.choice([0.125, 0.25, 0.375], (2, n, 1))
+    hexes[:, [1, 3, 4]] = np.round(hexes[:, [1, 3, 4]] * 1024) / 1024
+    hexes[:, 0] = a * hexes[:, 1] + b * hexes[:, 3] + (1 - a - b) * hexes[:, 4]
+    return hexes
+
+
+def collapsed(rng, n):
+    """A corner on another: edges, diagonals of faces or of space without length."""
+    hexes = distorted(rng, n, 0.1)
+    for corners in hexes:
+        a, b = rng.choice(8, 2, replace=False)
+        corners[a] = corners[b]
+    return hexes
+
+
+def folded_edge(rng, n):
+    """A whole edge on its opposite, or a face on a point, or everything."""
+    hexes = distorted(rng, n, 0.1)
+    for corners in hexes:
+        axis, other = rng.choice(3, 2, replace=False)
+        place = mesh_checker.CORNERS.copy()
+        place[:, axis] = 0
+        if rng.random() < 0.3:
+            place[place[:, other] == 0] = 0
+        if rng.random() < 0.1:
+            place[:] = 0
+        for i, p in enumerate(place):
+            corners[i] = corners[np.flatnonzero((mesh_checker.CORNERS == p).all(axis=1))[0]]
+    return hexes
+
+
+def of_any_size(rng, n):
+    """Each axis its own power of two, from the smallest numbers to the largest."""
+    return np.ldexp(distorted(rng, n, 0.4), rng.integers(-1020, 1022, (n, 1, 3)))
+
+
+def positive_at_corners(rng, n):
+    hexes = distorted(rng, 200 * n, 0.42)
+    values = mesh_checker.jacobians(hexes, mesh_checker.CORNERS)
+    return hexes[values.min(axis=1) > 0.01]
+
+
+KINDS = {"distorted": lambda rng, n: distorted(rng, n, 0.5),
+         "noise": lambda rng, n: rng.normal(size=(n, 8, 3)),
+         **{f.__name__.replace("_", " "): f for f in (
+             flat, lattice, corner_in_plane, collapsed, folded_edge, of_any_size,
+             positive_at_corners)}}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_witnesses(kind):
+    """Where a hex is said not to be positive, it is not: in rational numbers."""
+    corners = KINDS[kind](np.random.default_rng(12), 300)
+    hexes = np.arange(8 * len(corners)).reshape(-1, 8)
+    certificate = hn.certify(corners.reshape(-1, 3), hexes, [[0, 1, 2, 3]])
+    assert certificate.undecided == 0
+    assert certificate.witnesses.shape == (len(certificate.nonpositive), 3)
+    assert len(certificate.nonpositive) > 0
+    assert ((certificate.witnesses >= 0) & (certificate.witnesses <= 1)).all()
+    for h, at in zip(certificate.nonpositive[:400], certificate.witnesses):
+        assert exact_jacobian(corners[h], at) <= 0
+    if kind == "positive at corners":
+        assert not np.isin(certificate.witnesses, (0, 1)).all(axis=1).any()
+    elif kind in ("corner in plane", "folded edge"):
+        assert len(certificate.nonpositive) == len(corners)
+
+
+def test_no_witness():
+    """The Jacobian touches zero at two thirds of an edge: not decided, and never called positive."""
+    corners = np.array([[-1, -1, -1], [2, 1, 0], [3, 3, 0], [-1, 3, -1],
+                        [1, 1, 3], [1, 0, 1], [2, 1, 2], [-1, 3, 3]])
+    certificate = hn.certify(corners, [range(8)], [[0, 1, 2, 3]])
+    assert exact_jacobian(corners, [Fraction(2, 3), 0, 1]) == 0
+    assert certificate.nonpositive.tolist() == [0] and certificate.undecided == 1
+    assert np.isnan(certificate.witnesses).all()
+    assert certificate.as_dict()["witnesses"] == [None]
 
 
 def damaged(hexes, point_count, rng):

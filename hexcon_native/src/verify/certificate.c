@@ -3,59 +3,51 @@
 
 #include <string.h>
 
-#include "boundary.h"
-#include "corner_table.h"
-#include "face_table.h"
 #include "hex_arrays.h"
 #include "jacobian_sign.h"
-#include "manifold.h"
 #include "proper.h"
 #include "surface/checks.h"
+#include "topology.h"
 
-static hexcon_status check_topology(hexcon_context *context, const int32_t *hexes, size_t hex_count,
-                                    size_t point_count, const face_table *faces,
-                                    hexcon_certificate *certificate) {
-  corner_table corners = {0};
-  manifold_facts facts = {0};
-  id_list improper = {0}, doublets = {0};
-  hexcon_status status = corner_table_build(context, hexes, hex_count, point_count, &corners);
+/** Hexes not proved positive, and for each of them three coordinates. */
+typedef struct suspects {
+  id_list hexes;
+  double *witnesses;
+} suspects;
+
+static hexcon_status add_suspect(hexcon_context *context, suspects *list, int32_t hex,
+                                 const double witness[3]) {
+  size_t capacity = list->hexes.capacity;
+  hexcon_status status = id_list_append(context, &list->hexes, hex);
+  if (!status && list->hexes.capacity > capacity) {
+    size_t size = 3 * sizeof *list->witnesses;
+    double *grown = context_grow(context, list->witnesses, list->hexes.capacity, size);
+    if (!grown)
+      return HEXCON_OUT_OF_MEMORY;
+    list->witnesses = grown;
+  }
   if (!status)
-    status = context_progress(context, "certificate: links", 0.3);
-  if (!status)
-    status = manifold_check(context, hexes, hex_count, point_count, faces, &corners, &facts);
-  if (!status)
-    status = context_progress(context, "certificate: pairs", 0.5);
-  if (!status)
-    status = proper_check(context, hexes, point_count, faces, &corners, &improper);
-  if (!status)
-    status = proper_find_doublets(context, hex_count, faces, &doublets);
-  corner_table_free(context, &corners);
-  certificate->improper = improper.ids;
-  certificate->improper_count = improper.count;
-  certificate->doublets = doublets.ids;
-  certificate->doublet_count = doublets.count / 2;
-  certificate->conforming = faces->crowded_count == 0 && facts.links_are_discs;
-  certificate->proper = improper.count == 0;
-  certificate->euler = (int64_t)facts.used_point_count - (int64_t)facts.edge_count +
-                       (int64_t)faces->face_count - (int64_t)hex_count;
+    memcpy(list->witnesses + 3 * (list->hexes.count - 1), witness, 3 * sizeof *witness);
   return status;
 }
 
 static hexcon_status check_jacobians(hexcon_context *context, const double *points,
                                      const int32_t *hexes, size_t hex_count,
                                      hexcon_certificate *certificate) {
-  id_list nonpositive = {0};
+  suspects list = {0};
   hexcon_status status = HEXCON_OK;
   for (size_t h = 0; !status && h < hex_count; h++) {
-    jacobian_sign sign = prove_jacobian_sign(points, hexes + 8 * h);
+    double witness[3];
+    jacobian_sign sign = prove_jacobian_sign_at(points, hexes + 8 * h, witness);
     if (sign != JACOBIAN_POSITIVE)
-      status = id_list_append(context, &nonpositive, (int32_t)h);
+      status = add_suspect(context, &list, (int32_t)h, witness);
     certificate->undecided_count += sign == JACOBIAN_UNDECIDED;
     if (!status && h % 65536 == 0)
       status = context_progress(context, "certificate: Jacobians", (double)h / (double)hex_count);
   }
-  certificate->nonpositive = nonpositive.ids;
-  certificate->nonpositive_count = nonpositive.count;
+  certificate->nonpositive = list.hexes.ids;
+  certificate->nonpositive_count = list.hexes.count;
+  certificate->witnesses = list.witnesses;
   return status;
 }
 
@@ -63,14 +55,8 @@ hexcon_status certificate_make(hexcon_context *context, const double *points, si
                                const int32_t *hexes, size_t hex_count, const int32_t *quads,
                                size_t quad_count, hexcon_certificate *certificate) {
   memset(certificate, 0, sizeof *certificate);
-  face_table faces;
-  hexcon_status status = face_table_build(context, hexes, hex_count, &faces);
-  if (!status)
-    status = boundary_check(context, hexes, hex_count, &faces, quads, quad_count,
-                            &certificate->boundary_exact);
-  if (!status)
-    status = check_topology(context, hexes, hex_count, point_count, &faces, certificate);
-  face_table_free(context, &faces);
+  hexcon_status status =
+      topology_check(context, hexes, hex_count, point_count, quads, quad_count, certificate);
   if (!status)
     status = check_jacobians(context, points, hexes, hex_count, certificate);
   certificate->certified = certificate->conforming && certificate->proper &&
@@ -107,6 +93,7 @@ hexcon_status hexcon_certify(hexcon_context *context, const double *points, size
 
 void hexcon_certificate_free(hexcon_context *context, hexcon_certificate *certificate) {
   context_free(context, certificate->nonpositive);
+  context_free(context, certificate->witnesses);
   context_free(context, certificate->doublets);
   context_free(context, certificate->improper);
   memset(certificate, 0, sizeof *certificate);

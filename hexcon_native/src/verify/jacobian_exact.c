@@ -5,11 +5,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "box_place.h"
 #include "expansion.h"
 #include "hex_tables.h"
 
 enum {
-  MAX_DEPTH = 18,  /* bisections along the deepest path: boxes of 1/64 of the hex */
+  MAX_DEPTH = 96,  /* bisections along the deepest path: coefficients within 2^-64 of the values */
+  MAX_OPEN = 20,   /* boxes not yet decided; some 100 kB */
   MAX_BOXES = 2048 /* in all */
 };
 
@@ -20,31 +22,35 @@ typedef struct exact_vector {
 /** Bernstein coefficients of degree 2 in each direction, at 9 i + 3 j + k. */
 typedef struct exact_box {
   expansion value[27];
-  int depth;
+  box_place place;
 } exact_box;
 
-/** A power of two that brings the longest edge near 1; 0 if there is none. */
-static double choose_scale(const double *points, const int32_t *hex) {
-  double largest = 0;
-  for (int e = 0; e < 12; e++)
-    for (int i = 0; i < 3; i++)
-      largest = fmax(largest, fabs(points[3 * (size_t)hex[hex_edges[e][1]] + (size_t)i] -
-                                   points[3 * (size_t)hex[hex_edges[e][0]] + (size_t)i]));
-  int exponent;
-  (void)frexp(largest, &exponent);
-  return largest > 0 && isfinite(largest) && exponent > -1000 ? ldexp(1, -exponent) : 0;
+/** A power of two that brings the largest difference of a coordinate near 1; halves first, as the
+ * difference itself may overflow. */
+static double choose_scale(const double *points, const int32_t *hex, int coordinate) {
+  double lowest = INFINITY, highest = -INFINITY;
+  for (int c = 0; c < 8; c++) {
+    double half = points[3 * (size_t)hex[c] + (size_t)coordinate] / 2;
+    lowest = fmin(lowest, half);
+    highest = fmax(highest, half);
+  }
+  int exponent = 0; /* frexp leaves it if there is infinity or no number */
+  (void)frexp(highest - lowest, &exponent);
+  return ldexp(1, exponent < -1000 ? 1000 : -1 - exponent);
 }
 
-/** Coordinates times a power of two: not exact where they become subnormal. */
-static bool scale_corners(const double *points, const int32_t *hex, double scale,
-                          double corners[8][3]) {
+/** Each coordinate times a power of two of its own, which leaves the sign of the Jacobian. Returns
+ * whether that is exact: not where a coordinate becomes subnormal. */
+static bool scale_corners(const double *points, const int32_t *hex, double corners[8][3]) {
   bool exact = true;
-  for (int c = 0; c < 8; c++)
-    for (int i = 0; i < 3; i++) {
+  for (int i = 0; i < 3; i++) {
+    double scale = choose_scale(points, hex, i);
+    for (int c = 0; c < 8; c++) {
       double coordinate = points[3 * (size_t)hex[c] + (size_t)i], scaled = coordinate * scale;
       exact &= isfinite(scaled) && (coordinate == 0 || fabs(scaled) >= DBL_MIN);
       corners[hex_corner_bits[c]][i] = scaled;
     }
+  }
   return exact;
 }
 
@@ -102,15 +108,19 @@ static bool is_lost(const exact_box *box) {
   return lost;
 }
 
-/** Smallest sign of the coefficients with all indices even (values at corners), or of all. */
-static int smallest_sign(const exact_box *box, bool corners_only) {
-  int smallest = 1;
-  for (int i = 0; i < 27; i++) {
-    bool corner = i / 9 != 1 && i / 3 % 3 != 1 && i % 3 != 1;
-    int sign = corner || !corners_only ? expansion_sign(&box->value[i]) : 1;
-    smallest = sign < smallest ? sign : smallest;
-  }
-  return smallest;
+static bool all_positive(const exact_box *box) {
+  for (int i = 0; i < 27; i++)
+    if (expansion_sign(&box->value[i]) <= 0)
+      return false;
+  return true;
+}
+
+/** A corner that is not positive, as one of box_corners; -1 if there is none. */
+static int nonpositive_corner(const exact_box *box) {
+  for (int i = 0; i < 8; i++)
+    if (expansion_sign(&box->value[box_corners[i]]) <= 0)
+      return box_corners[i];
+  return -1;
 }
 
 static expansion average(const expansion *a, const expansion *b) {
@@ -120,9 +130,8 @@ static expansion average(const expansion *a, const expansion *b) {
 
 /** de Casteljau at 1/2 along one axis; `low` may be the box itself. */
 static void bisect(const exact_box *box, exact_box *low, exact_box *high) {
-  static const int strides[3] = {9, 3, 1};
-  int stride = strides[box->depth % 3], across = strides[(box->depth + 1) % 3],
-      along = strides[(box->depth + 2) % 3];
+  int axis = box_axis(&box->place), stride = box_strides[axis],
+      across = box_strides[(axis + 1) % 3], along = box_strides[(axis + 2) % 3];
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++) {
       int at = i * across + j * along;
@@ -135,34 +144,59 @@ static void bisect(const exact_box *box, exact_box *low, exact_box *high) {
       high->value[at + stride] = second;
       high->value[at + 2 * stride] = right;
     }
-  low->depth = high->depth = box->depth + 1;
+  box_halve(&box->place, &low->place, &high->place);
 }
 
-static jacobian_sign prove_by_bisection(exact_box stack[MAX_DEPTH + 1]) {
+/** The smallest coefficient, up to rounding. */
+static double smallest_value(const exact_box *box) {
+  double smallest = INFINITY;
+  for (int i = 0; i < 27; i++) {
+    const expansion *value = &box->value[i];
+    smallest = fmin(smallest, value->count ? value->terms[value->count - 1] : 0);
+  }
+  return smallest;
+}
+
+/** The half that looks positive goes on top, and is soon off the stack: so a path can go deep while
+ * few boxes wait. */
+static void order_halves(exact_box halves[2]) {
+  if (smallest_value(&halves[0]) <= smallest_value(&halves[1]))
+    return;
+  exact_box other = halves[0];
+  halves[0] = halves[1];
+  halves[1] = other;
+}
+
+static jacobian_sign prove_by_bisection(exact_box stack[MAX_OPEN], double witness[3]) {
   int top = 1;
   for (int boxes = 0; top > 0; boxes++) {
     exact_box *box = &stack[top - 1];
     if (boxes == MAX_BOXES || is_lost(box))
       return JACOBIAN_UNDECIDED;
-    if (smallest_sign(box, true) <= 0)
+    int corner = nonpositive_corner(box);
+    if (corner >= 0) {
+      box_corner_point(&box->place, corner, witness);
       return JACOBIAN_NONPOSITIVE;
-    if (smallest_sign(box, false) > 0) {
+    }
+    if (all_positive(box)) {
       top--;
-    } else if (box->depth == MAX_DEPTH) {
+    } else if (box->place.depth == MAX_DEPTH || top == MAX_OPEN) {
       return JACOBIAN_UNDECIDED;
     } else {
       bisect(box, box, box + 1);
+      order_halves(box);
       top++;
     }
   }
   return JACOBIAN_POSITIVE;
 }
 
-jacobian_sign prove_jacobian_sign_exactly(const double *points, const int32_t *hex) {
-  double corners[8][3], scale = choose_scale(points, hex);
-  if (scale == 0 || !scale_corners(points, hex, scale, corners))
+jacobian_sign prove_jacobian_sign_exactly(const double *points, const int32_t *hex,
+                                          double witness[3]) {
+  double corners[8][3];
+  if (!scale_corners(points, hex, corners))
     return JACOBIAN_UNDECIDED;
-  exact_box stack[MAX_DEPTH + 1]; /* one sibling per level; some 100 kB */
+  exact_box stack[MAX_OPEN];
   exact_coefficients(corners, &stack[0]);
-  return prove_by_bisection(stack);
+  return prove_by_bisection(stack, witness);
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/vector.h"
+#include "box_place.h"
 #include "hex_tables.h"
 #include "jacobian_exact.h"
 
@@ -19,44 +20,54 @@ enum {
 typedef struct box_coefficients {
   double value[3][3][3];
   double error;
-  int depth;
+  box_place place;
 } box_coefficients;
 
+/** As fmax, without a call. */
+static double larger(double a, double b) {
+  return b > a ? b : a;
+}
+
 /** edges[axis][m]: the edge along `axis` whose position across it is given by the bits of m, lower
- * axis first. Returns false if some edge vector overflows or is no number. */
+ * axis first. @param largest  receives the largest entry of each coordinate
+ * @return false if some edge vector overflows or is no number */
 static bool collect_edges(const double *points, const int32_t *hex, double edges[3][4][3],
-                          double *largest) {
+                          double largest[3]) {
   double corners[8][3];
   for (int i = 0; i < 8; i++)
     memcpy(corners[hex_corner_bits[i]], points + 3 * (size_t)hex[i], sizeof corners[0]);
   bool finite = true;
-  *largest = 0;
+  memset(largest, 0, 3 * sizeof *largest);
   for (int axis = 0; axis < 3; axis++) {
     int low = axis == 0 ? 1 : 0, high = axis == 2 ? 1 : 2;
     for (int m = 0; m < 4; m++) {
       int start = ((m & 1) << low) | ((m >> 1) << high);
       vector_subtract(corners[start | (1 << axis)], corners[start], edges[axis][m]);
       for (int i = 0; i < 3; i++) {
-        finite &= isfinite(edges[axis][m][i]) != 0; /* fmax drops what is no number */
-        *largest = fmax(*largest, fabs(edges[axis][m][i]));
+        finite &= isfinite(edges[axis][m][i]) != 0; /* `larger` drops what is no number */
+        largest[i] = larger(largest[i], fabs(edges[axis][m][i]));
       }
     }
   }
   return finite;
 }
 
-/** Scale all edges by one power of two, exactly, so that their products neither over- nor
- * underflow in any way that matters. Returns the product of the largest entries per axis. */
-static double normalise_edges(double edges[3][4][3], double largest) {
-  int exponent;
-  (void)frexp(largest, &exponent);
-  double product = 1;
+/** Scale each coordinate by a power of two of its own, exactly: that leaves the sign, makes flat
+ * hexes as good as cubes, and lets products neither over- nor underflow in any way that matters.
+ * Returns the product of the largest entries per axis. */
+static double normalise_edges(double edges[3][4][3], const double largest[3]) {
+  double scale[3], product = 1;
+  for (int i = 0; i < 3; i++) {
+    int exponent;
+    (void)frexp(largest[i], &exponent);
+    scale[i] = ldexp(1, exponent < -1000 ? 1000 : -exponent);
+  }
   for (int axis = 0; axis < 3; axis++) {
     double axis_largest = 0;
     for (int m = 0; m < 4; m++)
       for (int i = 0; i < 3; i++) {
-        edges[axis][m][i] = ldexp(edges[axis][m][i], -exponent);
-        axis_largest = fmax(axis_largest, fabs(edges[axis][m][i]));
+        edges[axis][m][i] *= scale[i];
+        axis_largest = larger(axis_largest, fabs(edges[axis][m][i]));
       }
     product *= axis_largest;
   }
@@ -100,30 +111,29 @@ static double smallest_value(const box_coefficients *box, double *largest) {
   double smallest = v[0];
   *largest = fabs(v[0]);
   for (int i = 1; i < 27; i++) {
-    smallest = fmin(smallest, v[i]);
-    *largest = fmax(*largest, fabs(v[i]));
+    smallest = v[i] < smallest ? v[i] : smallest;
+    *largest = larger(*largest, fabs(v[i]));
   }
   return smallest;
 }
 
 /** Corner coefficients are values of the Jacobian: one surely negative decides, one too close to
- * zero cannot be proved positive. */
-static double smallest_corner(const box_coefficients *box) {
-  double smallest = box->value[0][0][0];
-  for (int i = 0; i < 3; i += 2)
-    for (int j = 0; j < 3; j += 2)
-      for (int k = 0; k < 3; k += 2)
-        smallest = fmin(smallest, box->value[i][j][k]);
-  return smallest;
+ * zero cannot be proved positive. @param corner receives which it is */
+static double smallest_corner(const box_coefficients *box, int *corner) {
+  const double *v = &box->value[0][0][0];
+  *corner = box_corners[0];
+  for (int i = 1; i < 8; i++)
+    if (v[box_corners[i]] < v[*corner])
+      *corner = box_corners[i];
+  return v[*corner];
 }
 
 /** de Casteljau at 1/2 along one axis. Averages of values below `largest`: each of the two
  * levels of averaging rounds once or twice, by at most u * 2 * largest in all per level. */
 static void bisect(const box_coefficients *box, double largest, box_coefficients *low,
                    box_coefficients *high) {
-  static const int strides[3] = {9, 3, 1};
-  int stride = strides[box->depth % 3], across = strides[(box->depth + 1) % 3],
-      along = strides[(box->depth + 2) % 3];
+  int axis = box_axis(&box->place), stride = box_strides[axis],
+      across = box_strides[(axis + 1) % 3], along = box_strides[(axis + 2) % 3];
   const double *v = &box->value[0][0][0];
   double *l = &low->value[0][0][0], *h = &high->value[0][0][0];
   for (int i = 0; i < 3; i++)
@@ -138,27 +148,31 @@ static void bisect(const box_coefficients *box, double largest, box_coefficients
       h[at + 2 * stride] = v[at + 2 * stride];
     }
   low->error = high->error = box->error + 4 * DBL_EPSILON * largest;
-  low->depth = high->depth = box->depth + 1;
+  box_halve(&box->place, &low->place, &high->place);
 }
 
 /** Depth-first over boxes; the stack holds one sibling per level. Once some point is undecided,
  * only boxes that may hold a negative value are looked at. */
-static jacobian_sign prove_by_bisection(const box_coefficients *whole) {
+static jacobian_sign prove_by_bisection(const box_coefficients *whole, double witness[3]) {
   box_coefficients stack[MAX_DEPTH + 2];
   int top = 0, boxes = 0;
   stack[top++] = *whole;
   bool undecided = false;
   while (top > 0) {
     box_coefficients box = stack[--top];
-    double largest, smallest = smallest_value(&box, &largest), corner = smallest_corner(&box);
+    double largest, smallest = smallest_value(&box, &largest);
     if (smallest > box.error)
       continue;
-    if (corner < -box.error)
+    int lowest;
+    double corner = smallest_corner(&box, &lowest);
+    if (corner < -box.error) {
+      box_corner_point(&box.place, lowest, witness);
       return JACOBIAN_NONPOSITIVE;
-    undecided |= corner <= box.error || box.depth == MAX_DEPTH;
+    }
+    undecided |= corner <= box.error || box.place.depth == MAX_DEPTH;
     if (++boxes == MAX_BOXES)
       return JACOBIAN_UNDECIDED;
-    if (box.depth == MAX_DEPTH || (undecided && smallest >= -box.error))
+    if (box.place.depth == MAX_DEPTH || (undecided && smallest >= -box.error))
       continue;
     bisect(&box, largest, &stack[top], &stack[top + 1]);
     top += 2;
@@ -167,17 +181,23 @@ static jacobian_sign prove_by_bisection(const box_coefficients *whole) {
 }
 
 /** The filter: nearly every hex is decided here. */
-static jacobian_sign prove_in_doubles(const double *points, const int32_t *hex) {
-  double edges[3][4][3], largest;
-  if (!collect_edges(points, hex, edges, &largest) || largest < DBL_MIN)
+static jacobian_sign prove_in_doubles(const double *points, const int32_t *hex, double witness[3]) {
+  double edges[3][4][3], largest[3];
+  if (!collect_edges(points, hex, edges, largest))
     return JACOBIAN_UNDECIDED;
   double product = normalise_edges(edges, largest);
-  box_coefficients whole = {.error = coefficient_error(product), .depth = 0};
+  box_coefficients whole = {.error = coefficient_error(product)};
   sum_coefficients(edges, whole.value);
-  return prove_by_bisection(&whole);
+  return prove_by_bisection(&whole, witness);
+}
+
+jacobian_sign prove_jacobian_sign_at(const double *points, const int32_t *hex, double witness[3]) {
+  witness[0] = witness[1] = witness[2] = NAN;
+  jacobian_sign sign = prove_in_doubles(points, hex, witness);
+  return sign == JACOBIAN_UNDECIDED ? prove_jacobian_sign_exactly(points, hex, witness) : sign;
 }
 
 jacobian_sign prove_jacobian_sign(const double *points, const int32_t *hex) {
-  jacobian_sign sign = prove_in_doubles(points, hex);
-  return sign == JACOBIAN_UNDECIDED ? prove_jacobian_sign_exactly(points, hex) : sign;
+  double witness[3];
+  return prove_jacobian_sign_at(points, hex, witness);
 }

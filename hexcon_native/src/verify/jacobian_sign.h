@@ -8,7 +8,7 @@
 typedef enum jacobian_sign {
   JACOBIAN_POSITIVE,    /**< proved positive on the whole closed hex */
   JACOBIAN_NONPOSITIVE, /**< proved zero or negative at some point of the hex */
-  JACOBIAN_UNDECIDED    /**< touches zero inside as far as can be told; see jacobian_exact.h */
+  JACOBIAN_UNDECIDED    /**< touches zero, as far as can be told; see jacobian_exact.h */
 } jacobian_sign;
 
 /**
@@ -22,5 +22,13 @@ typedef enum jacobian_sign {
  * (2017), for the coefficients; the error bound is ours.
  */
 jacobian_sign prove_jacobian_sign(const double *points, const int32_t *hex);
+
+/**
+ * The same, with a witness.
+ * @param witness  receives local coordinates in [0, 1]^3 of a point where the Jacobian is proved
+ *                 zero or negative, exact as they are: corner 0 of the hex lies at (0, 0, 0),
+ *                 1 at (1, 0, 0), 3 at (0, 1, 0), 4 at (0, 0, 1). NaN unless NONPOSITIVE.
+ */
+jacobian_sign prove_jacobian_sign_at(const double *points, const int32_t *hex, double witness[3]);
 
 #endif

@@ -3,21 +3,23 @@
 #ifndef HEXCON_VERIFY_MANIFOLD_H
 #define HEXCON_VERIFY_MANIFOLD_H
 
-#include "corner_table.h"
-#include "face_table.h"
+#include "point_star.h"
 
-typedef struct manifold_facts {
+/** Facts of the stars entered so far. They mean something only if no side is crowded. */
+typedef struct manifold {
   bool links_are_discs; /**< around every edge one fan, around every point a sphere or a disc */
   size_t edge_count;    /**< different pairs of points joined by an edge */
   size_t used_point_count;
-} manifold_facts;
+  int32_t *hex_parent;  /**< disjoint sets of the hexes of a star, joined across faces */
+  int32_t *edge_parent; /**< and of their edges at the point, 3 a hex: the fans */
+  uint8_t *edge_seen;   /**< by where the other end occurs first */
+} manifold;
 
-/**
- * Check the links of all edges and points. Linear (union-find).
- * A face table without crowded sides is required for the answer to mean anything.
- */
-hexcon_status manifold_check(hexcon_context *context, const int32_t *hexes, size_t hex_count,
-                             size_t point_count, const face_table *faces,
-                             const corner_table *corners, manifold_facts *facts);
+/** @param out  free with manifold_free, also after an error */
+hexcon_status manifold_new(hexcon_context *context, const point_star *star, manifold *out);
+void manifold_free(hexcon_context *context, manifold *facts);
+
+/** Enter a star; edges are entered by their lower end. All but linear in its hexes (union-find). */
+void manifold_enter(manifold *facts, const point_star *star);
 
 #endif

@@ -3,7 +3,6 @@
 #ifndef HEXCON_VERIFY_PROPER_H
 #define HEXCON_VERIFY_PROPER_H
 
-#include "corner_table.h"
 #include "face_table.h"
 
 /** A growing list of ids. */
@@ -13,14 +12,14 @@ typedef struct id_list {
 } id_list;
 
 /**
- * Hexes that meet another improperly. Linear: two hexes meet properly exactly if every pair of
- * points that both contain is an edge of both, or a diagonal of one face of both. (Three corners
- * of a hex contain a diagonal, as its graph has no triangle; a whole face and a corner more
- * contain a space diagonal.) So it is enough to look at the pairs of points at each point.
+ * Hexes that meet another improperly, by the stars of all points. Linear: two hexes meet properly
+ * exactly if every pair of points that both contain is an edge of both, or a diagonal of one face
+ * of both. (Three corners of a hex contain a diagonal, as its graph has no triangle; a whole face
+ * and a corner more contain a space diagonal.) So it is enough to look at the pairs of points at
+ * the lower one.
  * @param improper  receives at most one id for every pair of points seen twice; free the ids
  */
-hexcon_status proper_check(hexcon_context *context, const int32_t *hexes, size_t point_count,
-                           const face_table *faces, const corner_table *corners, id_list *improper);
+hexcon_status proper_check(hexcon_context *context, const point_star *star, id_list *improper);
 
 /**
  * Doublets: pairs of hexes that share two or more faces. Linear.
