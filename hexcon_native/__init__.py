@@ -420,7 +420,7 @@ def optimize(points, hexes, fixed=None, *, rounds=0, target=1.0, threads=0, prog
 
     points, hexes  as quality
     fixed          (P,) bool, or ids of the points that stay; None: those of the boundary
-    rounds         passes over what is inverted, and then over what can be better (0: 7)
+    rounds         passes over what is inverted, and then over what can be better (0: 9)
     target         what reaches this scaled Jacobian is left alone
     threads        0: one per processor; the result does not depend on it
     Returns (P, 3) float64, never a worse mesh than it was given: no more inverted hexes, then no

@@ -189,7 +189,7 @@ void hexcon_certificate_free(hexcon_context *context, hexcon_certificate *certif
 
 /** Options of hexcon_optimize; zero means default. */
 typedef struct hexcon_optimize_options {
-  int max_rounds; /**< passes over what is inverted, and then over what can be better; default 7 */
+  int max_rounds; /**< passes over what is inverted, and then over what can be better; default 9 */
   int threads;    /**< default: one per processor. The result does not depend on it */
   double target;  /**< leave alone what reaches this scaled Jacobian; default 1 */
 } hexcon_optimize_options;

@@ -36,6 +36,7 @@ typedef struct improvement {
   int32_t *slots[WORKERS_MAX]; /* [point_count] each, all -1 */
   int threads;
   double target;
+  bool patient;    /* of repair_patch */
   double distance; /* of sharpen_patch */
   char stage[64];  /* for the user */
 } improvement;
@@ -99,7 +100,7 @@ static hexcon_status repair(hexcon_context *context, improvement *m, patch *p) {
   for (size_t h = 0; h < p->hex_count; h++)
     healthy[h] = !is_inverted(m->quality[p->hexes[h]]);
   size_t bad;
-  hexcon_status status = repair_patch(context, p, healthy, &bad);
+  hexcon_status status = repair_patch(context, p, healthy, m->patient, &bad);
   context_free(context, healthy);
   return status;
 }
@@ -168,26 +169,34 @@ static bool has_free_point(const improvement *m, size_t hex) {
   return false;
 }
 
+/** How hard it is tried to repair what an easier try left inverted. */
+typedef struct effort {
+  int layers; /* of hexes around the inverted ones whose points may move */
+  bool patient;
+} effort;
+
+static const effort efforts[] = {{0, false}, {1, false}, {2, false},
+                                 {4, false}, {4, true},  {10, true}};
+
 /** Inverted hexes in neighbourhoods that grow while they do not come right. */
 static hexcon_status repair_mesh(hexcon_context *context, improvement *m, int rounds,
                                  size_t *done) {
-  static const int layers[] = {0, 1, 2, 4, 7, 12};
+  const size_t most = sizeof efforts / sizeof *efforts;
   hexcon_status status = HEXCON_OK;
-  size_t most = sizeof layers / sizeof *layers, before = SIZE_MAX, size = 0;
-  for (; !status && size < most && *done < (size_t)rounds; ++*done) {
+  size_t before = SIZE_MAX, harder = 0;
+  for (; !status && *done < (size_t)rounds; ++*done) {
     size_t count = 0;
     for (size_t h = 0; h < m->set.mesh_hex_count; h++)
       if (is_inverted(m->quality[h]) && has_free_point(m, h))
         m->seeds[count++] = (int32_t)h;
-    if (count == 0)
-      break;
-    size += *done > 0 && count >= before;
+    harder += count >= before;
     before = count;
-    if (size == most)
+    if (count == 0 || harder == most)
       break;
+    m->patient = efforts[harder].patient;
     (void)snprintf(m->stage, sizeof m->stage, "untangling, %zu hexes inverted", count);
     hex_groups_fill(&m->set, m->seeds, count, SIZE_MAX, &m->groups);
-    status = improve_groups(context, m, layers[size]);
+    status = improve_groups(context, m, efforts[harder].layers);
   }
   return status;
 }
@@ -212,9 +221,9 @@ typedef struct sharpening {
   int layers;      /* of hexes around them that may move too */
 } sharpening;
 
-static const sharpening schedule[] = {{0.3, 0.5, 3},   {0.3, INFINITY, 0}, {0.1, 0.5, 1},
-                                      {0.03, 0.3, 3},  {0.01, 0.15, 3},    {0.003, 0.05, 4},
-                                      {0.001, 0.03, 4}};
+static const sharpening schedule[] = {{0.3, 0.5, 3},    {0.3, INFINITY, 0}, {0.1, 0.5, 1},
+                                      {0.03, 0.3, 3},   {0.01, 0.15, 3},    {0.003, 0.05, 4},
+                                      {0.001, 0.03, 4}, {0.0003, 0.02, 4},  {0.0001, 0.02, 4}};
 enum { SHARPENINGS = sizeof schedule / sizeof *schedule };
 
 /** Hexes within reach and below the target, worst first: groups form around the worst. */

@@ -3,11 +3,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "improve.h"
 #include "reference_placement.h"
 #include "repair.h"
 #include "sharpen.h"
 #include "surface/checks.h"
 #include "verify/hex_arrays.h"
+#include "verify/hex_tables.h"
 
 /** The way from a valid mesh to a goal: fraction 0 is the start, 1 the goal. */
 typedef struct journey {
@@ -55,9 +57,9 @@ static hexcon_status extend_goal(hexcon_context *context, journey *j) {
 }
 
 /** Step to a fraction of the way: straight on towards the goal, untangled there if need be.
- * @return whether the mesh is valid there; it is as it was before otherwise */
+ * @param arrived  receives whether the mesh is valid there; it is as it was before otherwise */
 static hexcon_status try_fraction(hexcon_context *context, journey *j, double fraction,
-                                  bool *arrived) {
+                                  bool patient, bool *arrived) {
   patch *p = &j->p;
   double share = (fraction - j->fraction) / (1 - j->fraction);
   hexcon_status status = HEXCON_OK;
@@ -66,23 +68,25 @@ static hexcon_status try_fraction(hexcon_context *context, journey *j, double fr
     p->x[i] = fraction < 1 ? j->valid[i] + share * (j->goal[i] - j->valid[i]) : j->goal[i];
   size_t bad = patch_count_bad(p, NULL);
   if (bad > 0)
-    status = untangle_watching(context, &j->n, p, false, &bad);
+    status = untangle_watching(context, &j->n, p, patient, &bad);
   *arrived = !status && bad == 0;
   if (!*arrived)
     memcpy(p->x, j->valid, 3 * p->point_count * sizeof *p->x);
   return status;
 }
 
+/** Steps that double where they succeed and are halved where they fail; long ones are tried in
+ * haste only. A better shape is a better place to go on from. */
 static hexcon_status travel(hexcon_context *context, journey *j) {
-  const double smallest_step = 1.0 / 256;
+  const double smallest_step = 1.0 / 256, patient_step = 1.0 / 16;
   double step = 1;
   hexcon_status status = HEXCON_OK;
   while (!status && j->fraction < 1 && step >= smallest_step) {
     bool arrived = false;
     double fraction = fmin(1, j->fraction + step);
-    status = try_fraction(context, j, fraction, &arrived);
-    if (arrived && !status && fraction < 1) /* a better shape is a better place to go on from */
-      status = sharpen_patch(context, &j->n, &j->p, 0.3, 1);
+    status = try_fraction(context, j, fraction, step <= patient_step, &arrived);
+    if (arrived && !status && fraction < 1)
+      status = sharpen_patch(context, &j->n, &j->p, step <= patient_step ? 0.1 : 0.3, 1);
     if (arrived) {
       j->fraction = fraction;
       memcpy(j->valid, j->p.x, 3 * j->p.point_count * sizeof *j->valid);
@@ -91,6 +95,32 @@ static hexcon_status travel(hexcon_context *context, journey *j) {
     if (!status)
       status = context_progress(context, "homotopy", j->fraction);
   }
+  return status;
+}
+
+/** Where no step leads on, go to the goal all the same and have the mesh repaired there. */
+static hexcon_status leap(hexcon_context *context, journey *j) {
+  patch *p = &j->p;
+  const hexcon_optimize_options options = {.target = 1e-6, .threads = 1};
+  uint8_t *fixed = context_allocate_zeroed(context, p->point_count, sizeof *fixed);
+  int32_t *hexes = context_allocate(context, p->hex_count, 8 * sizeof *hexes);
+  hexcon_status status = fixed && hexes ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
+  if (!status) {
+    memset(fixed + p->free_count, 1, p->point_count - p->free_count);
+    for (size_t i = 0; i < 8 * p->hex_count; i++)
+      hexes[i] = p->corners[(i & ~(size_t)7) + hex_corner_bits[i & 7]];
+    memcpy(p->x + 3 * p->free_count, j->goal + 3 * p->free_count,
+           3 * (p->point_count - p->free_count) * sizeof *p->x);
+    status =
+        improve_mesh(context, p->x, p->point_count, hexes, p->hex_count, fixed, &options, NULL);
+  }
+  if (!status && patch_count_bad(p, NULL) == 0) {
+    j->fraction = 1;
+    memcpy(j->valid, p->x, 3 * p->point_count * sizeof *j->valid);
+  }
+  memcpy(p->x, j->valid, 3 * p->point_count * sizeof *p->x);
+  context_free(context, fixed);
+  context_free(context, hexes);
   return status;
 }
 
@@ -157,6 +187,8 @@ hexcon_status hexcon_morph(hexcon_context *context, const double *points, size_t
     status = extend_goal(context, &j);
   if (!status)
     status = travel(context, &j);
+  if (!status && j.fraction < 1)
+    status = leap(context, &j);
   if (!status)
     status = finish(context, &j, chosen.target > 0 ? chosen.target : 1);
   if (j.fraction > 0)

@@ -53,17 +53,17 @@ static bool placement_is_better(const patch *p, const repair_states *states) {
          patch_energy(p, states->given, &options, NULL, NULL).energy;
 }
 
-/** Untangle from both starts, the better one first; in haste, then patiently. */
+/** Untangle from both starts, the better one first. */
 static hexcon_status try_starts(hexcon_context *context, patch *p, repair_states *states,
-                                size_t *bad) {
+                                bool patient, size_t *bad) {
   size_t bytes = 3 * p->point_count * sizeof *p->x;
   bool first_placed = placement_is_better(p, states);
   newton n;
   hexcon_status status = newton_new(context, p, &n);
-  for (int attempt = 0; !status && attempt < 4 && *bad > 0; attempt++) {
+  for (int attempt = 0; !status && attempt < 2 && *bad > 0; attempt++) {
     size_t now = *bad;
-    memcpy(p->x, (attempt % 2 == 0) == first_placed ? states->placed : states->given, bytes);
-    status = untangle_watching(context, &n, p, attempt >= 2, &now);
+    memcpy(p->x, (attempt == 0) == first_placed ? states->placed : states->given, bytes);
+    status = untangle_watching(context, &n, p, patient, &now);
     if (now < *bad) {
       *bad = now;
       memcpy(states->best, p->x, bytes);
@@ -88,7 +88,8 @@ static bool try_placement(patch *p, repair_states *states, size_t *bad) {
   return enough;
 }
 
-hexcon_status repair_patch(hexcon_context *context, patch *p, const uint8_t *healthy, size_t *bad) {
+hexcon_status repair_patch(hexcon_context *context, patch *p, const uint8_t *healthy, bool patient,
+                           size_t *bad) {
   size_t size = 3 * sizeof *p->x;
   repair_states states = {context_allocate(context, p->point_count, size),
                           context_allocate(context, p->point_count, size),
@@ -103,7 +104,7 @@ hexcon_status repair_patch(hexcon_context *context, patch *p, const uint8_t *hea
   if (!status)
     status = reference_placement(context, p);
   if (!status && !try_placement(p, &states, bad))
-    status = try_starts(context, p, &states, bad);
+    status = try_starts(context, p, &states, patient, bad);
   context_free(context, states.given);
   context_free(context, states.placed);
   context_free(context, states.best);

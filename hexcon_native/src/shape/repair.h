@@ -8,15 +8,17 @@
 /**
  * Make every hex of a patch positive.
  * Targets are spread from the healthy hexes and the fixed edges; the start is the given one or the
- * reference placement, whichever has the lower energy, then the other; in haste, then patiently.
+ * reference placement, whichever has the lower energy, then the other.
  * Hexes that are right-handed at all corners and yet not positive are looked into, and untangled
  * again.
+ * @param patient  see untangle_patch
  * @param healthy  [hex_count] whether the hex was proved positive
  * @param bad      receives the number of hexes left that are not; p->x is the best state found, and
  *                 the given one if none is better
  * Errors: OUT_OF_MEMORY, CANCELLED.
  */
-hexcon_status repair_patch(hexcon_context *context, patch *p, const uint8_t *healthy, size_t *bad);
+hexcon_status repair_patch(hexcon_context *context, patch *p, const uint8_t *healthy, bool patient,
+                           size_t *bad);
 
 /** Untangle p->x with the targets that are set, and look closer where it takes that.
  * @param patient  see untangle_patch

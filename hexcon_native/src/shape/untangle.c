@@ -14,7 +14,7 @@ static double next_epsilon(double epsilon, double determinant, double left) {
 hexcon_status untangle_patch(hexcon_context *context, newton *n, patch *p, bool patient,
                              bool *done) {
   const double smallest_decrease = 0.01, smallest_epsilon = 1e-6;
-  const int steps = 6, rounds = patient ? 80 : 15;
+  const int steps = 6, rounds = patient ? 40 : 15;
   frame_energy_options options = {.epsilon = 1, .theta = 0.125};
   *done = false;
   hexcon_status status = HEXCON_OK;

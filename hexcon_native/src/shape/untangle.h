@@ -9,7 +9,7 @@
  * Move the free points until every frame is right-handed, from any start, by descent on the
  * regularised energy with epsilon going to zero as fast as the descent earns it. Targets and
  * watched hexes are the patch's.
- * @param patient  whether epsilon goes down by the descent's earnings alone, in up to 80 rounds,
+ * @param patient  whether epsilon goes down by the descent's earnings alone, in up to 40 rounds,
  *                 which reaches more; else it is also kept below the worst determinant, which
  *                 mostly needs a single round
  * @param done     receives whether every frame is right-handed now
