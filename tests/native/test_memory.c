@@ -5,14 +5,15 @@
 #include <string.h>
 
 #include "support.h"
+#include "verify/jacobian_sign.h"
 
 /* ------------------------------------------------------------------------- the public calls */
 
 /** Surfaces and meshes the calls work on. */
 typedef struct material {
   test_mesh swept, twisted, not_swept, torus, scrambled;
-  uint8_t *fixed;
-  double *positions;
+  uint8_t *fixed, *swept_fixed;
+  double *positions, *goal; /* goal: of swept, to be gone to by its boundary */
 } material;
 
 /** One public call; what it makes is freed inside. */
@@ -94,6 +95,26 @@ static hexcon_status call_optimize(hexcon_context *context, material *m) {
   return status;
 }
 
+/** In several steps; where it ends early, and wherever it is cancelled, the mesh is valid. */
+static hexcon_status call_morph(hexcon_context *context, material *m) {
+  double reached = -1;
+  hexcon_status status =
+      hexcon_morph(context, m->swept.points, m->swept.point_count, m->swept.hexes,
+                   m->swept.hex_count, m->swept_fixed, m->goal, NULL, m->positions, &reached);
+  assert_true(reached >= 0 && reached <= 1);
+  for (size_t h = 0; h < m->swept.hex_count; h++)
+    assert_int_equal(prove_jacobian_sign(m->positions, m->swept.hexes + 8 * h), JACOBIAN_POSITIVE);
+  return status;
+}
+
+static hexcon_status call_morph_boundary(hexcon_context *context, material *m) {
+  const hexcon_morph_options options = {.boundary_only = true, .target = 0.3};
+  double reached;
+  return hexcon_morph(context, m->swept.points, m->swept.point_count, m->swept.hexes,
+                      m->swept.hex_count, m->swept_fixed, m->goal, &options, m->positions,
+                      &reached);
+}
+
 static hexcon_status mesh_of(hexcon_context *context, const test_mesh *surface, int order) {
   hexcon_mesh *mesh = (hexcon_mesh *)context;
   const hexcon_mesh_options options = {.order = order};
@@ -148,6 +169,8 @@ static const struct {
              {"certify", call_certify},
              {"certify bad", call_certify_bad},
              {"optimize", call_optimize},
+             {"morph", call_morph},
+             {"morph boundary", call_morph_boundary},
              {"raise order", call_raise_order},
              {"mesh", call_mesh},
              {"mesh second order", call_mesh_second_order},
@@ -171,12 +194,27 @@ static void twist(test_mesh *mesh, double height, uint64_t random) {
   }
 }
 
+/** Every point of the boundary on a half turn about an axis outside, those inside left behind. */
+static void bend(const test_mesh *mesh, double *goal) {
+  memcpy(goal, mesh->points, 3 * mesh->point_count * sizeof *goal);
+  for (size_t v = 0; v < mesh->surface_point_count; v++) {
+    double *p = goal + 3 * v, angle = 0.8 * p[2], radius = 1 + p[0];
+    p[0] = radius * cos(angle);
+    p[2] = radius * sin(angle);
+  }
+}
+
 static int set_up(void **state) {
   static material m;
   uint64_t random = 21;
   m.swept = make_box(3, 2, 4);
   m.twisted = make_box(3, 3, 3);
   twist(&m.twisted, 3, 7);
+  m.goal = malloc(3 * m.swept.point_count * sizeof *m.goal);
+  m.swept_fixed = calloc(m.swept.point_count, 1);
+  assert_true(m.goal && m.swept_fixed);
+  memset(m.swept_fixed, 1, m.swept.surface_point_count);
+  bend(&m.swept, m.goal);
   m.not_swept = make_schneiders_pyramid();
   m.torus = make_torus(3, 4);
   m.scrambled = make_box(4, 3, 3);
@@ -198,7 +236,9 @@ static int tear_down(void **state) {
   test_mesh_free(&m->torus);
   test_mesh_free(&m->scrambled);
   free(m->fixed);
+  free(m->swept_fixed);
   free(m->positions);
+  free(m->goal);
   return 0;
 }
 

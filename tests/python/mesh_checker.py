@@ -155,14 +155,28 @@ def euler(hexes):
 
 # ------------------------------------------------------------------------------------- Jacobians
 
-def jacobians(corners, at):
-    """det of the trilinear map of (H, 8, 3) corners at (M, 3) points of the unit cube: (H, M)."""
+def _derivatives(corners, at):
+    """Of the trilinear map of (H, 8, 3) corners at (M, 3) points of the unit cube: (H, M, 3, 3),
+    the last axis says along which axis."""
     weights = np.where(CORNERS[None], at[:, None], 1 - at[:, None])
     columns = []
     for axis in range(3):
         slope = np.where(CORNERS[:, axis], 1.0, -1.0) * np.delete(weights, axis, 2).prod(axis=2)
         columns.append(np.einsum("mc,hck->hmk", slope, corners))
-    return np.linalg.det(np.stack(columns, axis=3))
+    return np.stack(columns, axis=3)
+
+
+def jacobians(corners, at):
+    """det of the trilinear map of (H, 8, 3) corners at (M, 3) points of the unit cube: (H, M)."""
+    return np.linalg.det(_derivatives(corners, at))
+
+
+def scaled_jacobians(points, hexes):
+    """(H,): Verdict's, the smallest at a corner; -1 where an edge there has no length."""
+    edges = _derivatives(np.asarray(points)[hexes], CORNERS)
+    lengths = np.linalg.norm(edges, axis=2).prod(axis=2)
+    scaled = np.linalg.det(edges) / np.where(lengths > 0, lengths, np.inf)
+    return np.where(lengths > 0, scaled, -1).min(axis=1)
 
 
 # Degree 2 in each direction: values at 0, 1/2, 1 to Bernstein coefficients; then halves.
@@ -176,11 +190,12 @@ def _apply(matrices, values):
     return np.einsum("ai,bj,ck,hijk->habc", *matrices, values, optimize=True)
 
 
-def nonpositive(points, hexes, depth=6):
+def nonpositive(points, hexes, depth=20):
     """Hexes whose Jacobian is not positive everywhere, or not clearly so at this depth."""
     corners = np.asarray(points)[hexes]
     corners = corners - corners.mean(axis=1, keepdims=True)
-    corners = corners / np.ptp(corners, axis=1).max(axis=1)[:, None, None]
+    size = np.ptp(corners, axis=1).max(axis=1)
+    corners = corners / np.where(size > 0, size, 1)[:, None, None]
     values = jacobians(corners, _NODES).reshape(-1, 3, 3, 3)
     values = _apply([_TO_BERNSTEIN] * 3, values)
     owner, bad = np.arange(len(hexes)), np.zeros(len(hexes), bool)

@@ -30,6 +30,12 @@ class Template:
         """(P,) bool: on the boundary."""
         return np.arange(len(self.points)) < self.boundary_count
 
+    @property
+    def collapsed(self):
+        """(P, 3): every point inside moved to the centroid of all of them."""
+        inside = self.points[~self.fixed].mean(axis=0)
+        return np.where(self.fixed[:, None], self.points, inside)
+
 
 def names():
     return sorted(path.stem for path in FOLDER.glob("*.txt"))

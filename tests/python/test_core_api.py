@@ -302,7 +302,8 @@ def calls_with_progress():
     scrambled[26:] += 0.8
     return {"mesh": lambda p: hn.mesh(POINTS, QUADS, progress=p),
             "certify": lambda p: hn.certify(MESH.points, MESH.hexes, QUADS, progress=p),
-            "optimize": lambda p: hn.optimize(scrambled, MESH.hexes, progress=p)}
+            "optimize": lambda p: hn.optimize(scrambled, MESH.hexes, progress=p),
+            "morph": lambda p: hn.morph(MESH.points, MESH.hexes, 2 * POINTS, progress=p)}
 
 
 CALLS = calls_with_progress()

@@ -68,15 +68,16 @@ static int run_worker(void *argument) {
 
 /** Faults of the calling thread come first: it alone knows of a real cancellation. */
 static hexcon_status take_fault(hexcon_context *context, const worker *workers, int count) {
-  for (int i = 0; i < count; i++) {
-    if (!workers[i].status)
-      continue;
-    memcpy(context->message, workers[i].context.message, sizeof context->message);
-    memcpy(context->elements, workers[i].context.elements, sizeof context->elements);
-    context->element_count = workers[i].context.element_count;
-    return workers[i].status;
-  }
-  return HEXCON_OK;
+  const worker *found = NULL;
+  for (int i = 0; i < count; i++)
+    if (workers[i].status && (!found || (found->number > 0 && found->status == HEXCON_CANCELLED)))
+      found = &workers[i];
+  if (!found)
+    return HEXCON_OK;
+  memcpy(context->message, found->context.message, sizeof context->message);
+  memcpy(context->elements, found->context.elements, sizeof context->elements);
+  context->element_count = found->context.element_count;
+  return found->status;
 }
 
 static void run_threads(shared_work *shared, worker *workers, int count) {

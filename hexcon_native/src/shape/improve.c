@@ -36,6 +36,7 @@ typedef struct improvement {
   int32_t *slots[WORKERS_MAX]; /* [point_count] each, all -1 */
   int threads;
   double target;
+  bool repairing;  /* or sharpening, which leaves alone what is near an inverted hex */
   bool patient;    /* of repair_patch */
   double distance; /* of sharpen_patch */
   char stage[64];  /* for the user */
@@ -54,8 +55,11 @@ static double measure(const improvement *m, size_t hex) {
   return prove_jacobian_sign(m->points, ids) == JACOBIAN_POSITIVE ? value : value - penalty;
 }
 
+/** Below this a quality carries the penalty; rounding may bring a positive hex to 0. */
+static const double least_positive = -1e-6;
+
 static bool is_inverted(double quality) {
-  return quality < 1e-6 - 1 || quality <= 0;
+  return quality < least_positive;
 }
 
 static standing summarise(const improvement *m, const int32_t *hexes, size_t count) {
@@ -63,7 +67,7 @@ static standing summarise(const improvement *m, const int32_t *hexes, size_t cou
   for (size_t i = 0; i < count; i++) {
     double value = m->quality[hexes ? (size_t)hexes[i] : i];
     s.inverted += is_inverted(value);
-    s.worst = fmin(s.worst, value);
+    s.worst = fmin(s.worst, is_inverted(value) ? value + penalty : value);
     s.burden += 1 / fmax(value, 1e-3);
   }
   return s;
@@ -133,7 +137,7 @@ static hexcon_status improve_region(void *user, hexcon_context *context, int wor
     return HEXCON_OUT_OF_MEMORY;
   }
   memcpy(start, p.x, bytes);
-  status = before.inverted > 0 ? repair(context, m, &p) : sharpen(context, m, &p);
+  status = m->repairing ? repair(context, m, &p) : sharpen(context, m, &p);
   write_back(m, &p);
   standing after = summarise(m, hexes, hex_count);
   if (!is_better(after, before)) {
@@ -184,6 +188,7 @@ static hexcon_status repair_mesh(hexcon_context *context, improvement *m, int ro
   const size_t most = sizeof efforts / sizeof *efforts;
   hexcon_status status = HEXCON_OK;
   size_t before = SIZE_MAX, harder = 0;
+  m->repairing = true;
   for (; !status && *done < (size_t)rounds; ++*done) {
     size_t count = 0;
     for (size_t h = 0; h < m->set.mesh_hex_count; h++)
@@ -236,13 +241,14 @@ static hexcon_status rank_seeds(hexcon_context *context, improvement *m, double 
   if (!ranked)
     return HEXCON_OUT_OF_MEMORY;
   for (size_t h = 0; h < hex_count; h++) {
-    worst = fmin(worst, m->quality[h]);
-    mean += m->quality[h] / (double)hex_count;
+    double value = is_inverted(m->quality[h]) ? 1 : m->quality[h];
+    worst = fmin(worst, value);
+    mean += value / (double)hex_count;
   }
   (void)snprintf(m->stage, sizeof m->stage, "optimisation, worst scaled Jacobian %.3f", worst);
   double limit = fmin(worst + reach * fmax(mean - worst, 1e-3), m->target);
   for (size_t h = 0; h < hex_count; h++)
-    if (m->quality[h] < limit && has_free_point(m, h))
+    if (m->quality[h] < limit && !is_inverted(m->quality[h]) && has_free_point(m, h))
       ranked[(*count)++] = (ranked_hex){m->quality[h], (int32_t)h};
   qsort(ranked, *count, sizeof *ranked, compare_ranked);
   for (size_t i = 0; i < *count; i++)
@@ -254,6 +260,7 @@ static hexcon_status rank_seeds(hexcon_context *context, improvement *m, double 
 static hexcon_status sharpen_mesh(hexcon_context *context, improvement *m, int rounds,
                                   size_t *done) {
   hexcon_status status = HEXCON_OK;
+  m->repairing = false;
   for (; !status && *done < (size_t)rounds; ++*done) {
     const sharpening *pass = &schedule[*done < SHARPENINGS ? *done : SHARPENINGS - 1];
     size_t count;

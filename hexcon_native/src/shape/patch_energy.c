@@ -205,3 +205,25 @@ patch_state patch_worst_frame(const patch *p, const double *x,
     }
   return state;
 }
+
+void patch_watch_thin(patch *p) {
+  const frame_energy_options options = {0};
+  for (size_t h = 0; h < p->hex_count; h++) {
+    double at_corners = 0, inside = 0;
+    uint8_t watched = p->watched[h];
+    p->watched[h] = watched > 0 ? watched : 1;
+    for (int number = 0; number < samples_of(p, h); number++) {
+      sample s;
+      double frame[3][3];
+      frame_derivatives d;
+      if (!find_sample(p, h, number, &s))
+        continue;
+      evaluate_frame(p, p->x, h, &s, frame);
+      double energy = frame_energy(frame, &options, false, &d) ? d.value : INFINITY;
+      double *largest = number < 8 ? &at_corners : &inside;
+      *largest = fmax(*largest, energy);
+    }
+    if (inside * inner_share <= at_corners)
+      p->watched[h] = watched;
+  }
+}

@@ -26,4 +26,7 @@ patch_state patch_energy(const patch *p, const double *x, const frame_energy_opt
 /** Largest energy of a single frame (before any ceiling) and the smallest determinant. */
 patch_state patch_worst_frame(const patch *p, const double *x, const frame_energy_options *options);
 
+/** Watch the hexes that are thinner inside than their corners let expect: four times. */
+void patch_watch_thin(patch *p);
+
 #endif

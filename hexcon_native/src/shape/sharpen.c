@@ -34,6 +34,8 @@ hexcon_status sharpen_patch(hexcon_context *context, newton *n, patch *p, double
   double best = INFINITY, *backup = context_allocate(context, p->free_count, 3 * sizeof *backup);
   hexcon_status status = backup ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
   int idle = 0;
+  patch_target_own_lengths(p, smallest_edge);
+  patch_watch_thin(p);
   for (int step = 0; !status && step < most_steps && idle <= most_idle; step++) {
     frame_energy_options options = {0};
     patch_target_own_lengths(p, smallest_edge);
