@@ -11,12 +11,12 @@ import numpy as np
 from mesh_checker import CORNERS
 from scipy.optimize import linprog
 
-# Corners of hexes, middles of edges, of faces, and of hexes: (27, 3).
-PLACES = np.stack(np.meshgrid(*[[0, 0.5, 1]] * 3, indexing="ij"), axis=3).reshape(-1, 3)
+# A grid over a hex, its corners included, of fractions that doubles hold: (125, 3).
+PLACES = np.stack(np.meshgrid(*[[0, 0.25, 0.5, 0.75, 1]] * 3, indexing="ij"), axis=3).reshape(-1, 3)
 
 
 def _slopes():
-    """Derivatives of the eight trilinear functions at PLACES: (27, 3, 8)."""
+    """Derivatives of the eight trilinear functions at PLACES: (125, 3, 8)."""
     weights = np.where(CORNERS[None], PLACES[:, None], 1 - PLACES[:, None])
     sign = np.where(CORNERS, 1.0, -1.0)
     return np.stack([sign[:, axis] * np.delete(weights, axis, 2).prod(axis=2)
@@ -51,7 +51,7 @@ def _exactly(array):
 
 def _rows(hexes, fixed):
     """(hex, place, free corner or -1) wherever at most one point is free: three (n,) arrays."""
-    involved = (SLOPES != 0).any(axis=1)[None] & ~fixed[hexes][:, None]    # (H, 27, 8)
+    involved = (SLOPES != 0).any(axis=1)[None] & ~fixed[hexes][:, None]    # (H, 125, 8)
     count = involved.sum(axis=2)
     hex_, place = np.nonzero(count <= 1)
     return hex_, place, np.where(count[hex_, place] == 1, involved[hex_, place].argmax(axis=1), -1)

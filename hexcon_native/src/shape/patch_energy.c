@@ -94,14 +94,18 @@ static bool find_sample(const patch *p, size_t hex, int number, sample *s) {
   return false;
 }
 
-static void evaluate_frame(const patch *p, const double *x, size_t hex, const sample *s,
-                           double frame[3][3]) {
+/** The frame of a sample, where find_sample finds one. */
+static bool find_frame(const patch *p, const double *x, size_t hex, int number, sample *s,
+                       double frame[3][3]) {
+  if (!find_sample(p, hex, number, s))
+    return false;
   memset(frame, 0, 9 * sizeof(double));
   for (int i = 0; i < s->count; i++) {
     const double *at = x + 3 * (size_t)p->corners[8 * hex + (size_t)s->corners[i]];
     for (int axis = 0; axis < 3; axis++)
       vector_add_scaled(frame[axis], s->weights[i][axis], at);
   }
+  return true;
 }
 
 /** sum over axes of weights[axis] rows[axis]. */
@@ -166,13 +170,12 @@ patch_state patch_energy(const patch *p, const double *x, const frame_energy_opt
   if (hessian)
     block_matrix_clear(hessian);
   for (size_t h = 0; h < p->hex_count; h++)
-    for (int number = 0; number < (samples_of(p, h)); number++) {
+    for (int number = 0; number < samples_of(p, h); number++) {
       sample s;
       double frame[3][3];
       frame_derivatives d;
-      if (!find_sample(p, h, number, &s))
+      if (!find_frame(p, x, h, number, &s, frame))
         continue;
-      evaluate_frame(p, x, h, &s, frame);
       frame_energy_options own = options_of(options, number);
       bool finite = frame_energy(frame, &own, gradient != NULL, &d);
       state.determinant = fmin(state.determinant, d.determinant);
@@ -191,13 +194,12 @@ patch_state patch_worst_frame(const patch *p, const double *x,
   frame_energy_options open = *options;
   open.ceiling = 0;
   for (size_t h = 0; h < p->hex_count; h++)
-    for (int number = 0; number < (samples_of(p, h)); number++) {
+    for (int number = 0; number < samples_of(p, h); number++) {
       sample s;
       double frame[3][3];
       frame_derivatives d;
-      if (!find_sample(p, h, number, &s))
+      if (!find_frame(p, x, h, number, &s, frame))
         continue;
-      evaluate_frame(p, x, h, &s, frame);
       bool finite = frame_energy(frame, &open, false, &d);
       state.determinant = fmin(state.determinant, d.determinant);
       state.energy =
@@ -216,9 +218,8 @@ void patch_watch_thin(patch *p) {
       sample s;
       double frame[3][3];
       frame_derivatives d;
-      if (!find_sample(p, h, number, &s))
+      if (!find_frame(p, p->x, h, number, &s, frame))
         continue;
-      evaluate_frame(p, p->x, h, &s, frame);
       double energy = frame_energy(frame, &options, false, &d) ? d.value : INFINITY;
       double *largest = number < 8 ? &at_corners : &inside;
       *largest = fmax(*largest, energy);
