@@ -250,15 +250,22 @@ static void bench_size(hexcon_context *context, table *t, int size, size_t n) {
 }
 
 static void print_row(const table *t, const char *name, const double values[SIZES]) {
-  (void)printf("%-32s", name);
+  (void)printf("%-36s", name);
   for (int i = 0; i < SIZES; i++)
-    (void)printf("%12.4f", values[i]);
+    (void)printf(i == 0 ? "%8.3f" : "%12.3f", values[i]);
   for (int i = 1; i < SIZES; i++)
     (void)printf("%10.2f", values[i - 1] > 0 && values[i] > 0
                                ? log(values[i] / values[i - 1]) /
                                      log((double)t->hexes[i] / (double)t->hexes[i - 1])
                                : 0.0);
   (void)printf("\n");
+}
+
+static void print_rates(const table *t, size_t stage) {
+  (void)printf("%-36s", t->names[stage]);
+  for (int i = 0; i < SIZES; i++)
+    (void)printf(i == 0 ? "%8.0f" : "%12.0f", (double)t->hexes[i] / t->seconds[stage][i]);
+  (void)printf("   hexes per second\n");
 }
 
 int main(void) {
@@ -270,11 +277,14 @@ int main(void) {
   for (int size = 0; size < SIZES; size++)
     bench_size(context, &t, size, cells[size]);
   hexcon_context_free(context);
-  (void)printf("%-32s%12zu%12zu%12zu%20s\n", "hexes", t.hexes[0], t.hexes[1], t.hexes[2],
+  (void)printf("%-36s%8zu%12zu%12zu%20s\n", "hexes", t.hexes[0], t.hexes[1], t.hexes[2],
                "exponents");
   for (size_t stage = 0; stage < t.stage_count; stage++)
     print_row(&t, t.names[stage], t.seconds[stage]);
   print_row(&t, "peak memory after swept, MiB", t.memory);
+  for (size_t stage = 0; stage < t.stage_count; stage++)
+    if (strncmp(t.names[stage], "untangled all", 13) == 0)
+      print_rates(&t, stage);
   (void)printf("seconds unless said otherwise; one thread unless said otherwise; exponents between "
                "neighbouring sizes\n");
   return 0;
