@@ -141,8 +141,8 @@ static hexcon_status begin(hexcon_context *context, const double *points, size_t
   return HEXCON_OK;
 }
 
-/** Raise the worst at the end of the way. Every state is positive; a coarse pass may lower the worst
- * by what the fine ones then win back. */
+/** Raise the worst at the end of the way. Every state is positive; a coarse pass may lower the
+ * worst by what the fine ones then win back. */
 static hexcon_status finish(hexcon_context *context, journey *j, double target) {
   static const double distances[] = {0.3, 0.1, 0.03, 0.01};
   hexcon_status status = HEXCON_OK;
