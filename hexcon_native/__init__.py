@@ -23,12 +23,12 @@ except ImportError as fault:
 ErrorCode = enum.IntEnum("ErrorCode", _core.status_codes())
 ErrorCode.__doc__ = "One member per fault of the core; include/hexcon.h says what each means."
 
-METHODS = {"auto": 0, "swept": 1}
+METHODS = {"auto": 0, "swept": 1, "cells": 2}
 
 __all__ = [
     "Certificate", "ErrorCode", "HexconError", "Loops", "METHODS", "Mesh", "Quality",
     "SurfaceReport", "certify", "check_options", "check_surface", "colouring", "loops", "mesh", "morph", "optimize",
-    "quality", "raise_order",
+    "pairing", "quality", "raise_order",
 ]
 
 
@@ -211,6 +211,26 @@ def colouring(quads):
     return spread
 
 
+def pairing(quads, points=None, *, progress=None):
+    """Pair every quad with a neighbour across an edge: a perfect matching of the dual graph.
+
+    points    (P, 3), or None. With points, pairs are flat, of two like quads and not elongated, as
+              far as can be: a total weight close to the greatest, not always the greatest
+    progress  as mesh
+    Returns (n / 2, 2) int32: the quads of each pair ascending, pairs by their first quad. The same
+    for the same input. Raises as check_surface (without points never UNUSED_POINT), ODD, CANCELLED,
+    and NO_PAIRING with the quads left over: a component with an odd number of quads.
+    Cost: near-linear in n in practice.
+    """
+    quads = _ids(quads, 4, "quads")
+    if points is not None:
+        points = _points(points)
+        return _array(_core.pairing(points, len(points), quads, progress), np.int32, 2)
+    with _packed_ids(quads) as (packed, _):
+        count = int(packed.max(initial=-1)) + 1
+        return _array(_core.pairing(None, count, packed, progress), np.int32, 2)
+
+
 # ------------------------------------------------------------------------------------------ meshes
 
 class Certificate:
@@ -294,7 +314,7 @@ class Mesh:
     method       what made it
     certificate  Certificate
     quality      Quality
-    report       dict of figures: counts, "seconds <stage>", quality
+    report       dict of figures: counts, "seconds <stage>", quality; "log": list of what was tried
     """
 
     def __init__(self, facts):
@@ -306,41 +326,75 @@ class Mesh:
         self.certificate = Certificate(facts["certificate"])
         self.quality = Quality(_array(facts["quality"], np.float64))
         self.report = dict(facts["report"], hexes=len(self.hexes), points=len(self.points),
-                           quality=self.quality.as_dict())
+                           quality=self.quality.as_dict(), log=facts["log"].splitlines())
 
     def __repr__(self):
         return (f"<{self.method} mesh of {len(self.hexes)} hexes, order {self.order}, "
                 f"{self.certificate}, {self.quality}>")
 
 
-def mesh(points, quads, method="auto", *, order=1, threads=0, progress=None,
-         allow_uncertified=False):
+def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahedralise=None,
+         progress=None, allow_uncertified=False):
     """Fill a closed quad surface with hexes whose boundary is exactly its quads.
 
     points, quads      as check_surface
-    method             "auto" (the best of what exists, today: swept) or "swept"
+    method             "swept": a cap's quads times rings; "cells": any even surface of a convex or
+                       star-shaped body, 31 hexes a quad and tetrahedra inside, each cut into 4
+                       hexes; "auto": swept where the surface is a sweep's, else cells
     order              1, or 2 for mid-edge points on straight edges
-    threads            0: as many as the core likes; today's stages use one
+    layers             cells: at least so many layers of plain hexes under the surface, before any
+                       cell; there may be one more, where it makes the cells better
+    threads            0: one per processor; the result does not depend on it
+    tetrahedralise     cells: None, and all meets in one point; or a callable
+                       (points (P, 3), triangles (T, 3)) that fills a closed, outward triangulation:
+                       it returns new points (K, 3) and tetrahedra (M, 4) of positive volume, ids
+                       of given points, then of new ones, whose boundary is exactly the triangles;
+                       or None where it finds none. The better of both is taken
     progress           callable (stage, fraction in 0 .. 1); returning False, raising, or Ctrl-C
                        cancels
     allow_uncertified  return the best mesh found even if its certificate fails
     Returns a Mesh. Raises HexconError: those of check_surface, SEVERAL_COMPONENTS, ODD, NOT_SWEPT
-    (elements: the quads where the best attempt failed), NOT_CERTIFIED (elements: hexes),
-    CANCELLED, BAD_ARGUMENT, OUT_OF_MEMORY.
+    (elements: the quads where the best attempt failed), UNFILLABLE_QUAD (elements: quads on which
+    no positive hex can stand), NOT_STAR_SHAPED, NOT_BIPARTITE, NO_PAIRING, NOT_CERTIFIED
+    (elements: hexes), CANCELLED, BAD_ARGUMENT, OUT_OF_MEMORY.
     Cost: linear in the hexes made, plus the improvement of what is bad.
     """
-    check_options(method, order=order, threads=threads)
+    check_options(method, order=order, layers=layers, threads=threads)
+    mesher = None if tetrahedralise is None else _Mesher(tetrahedralise)
     return Mesh(_core.mesh(_points(points), _ids(quads, 4, "quads"), METHODS[method], int(order),
-                           allow_uncertified, progress))
+                           allow_uncertified, threads, layers, mesher, progress))
 
 
-def check_options(method="auto", *, order=1, threads=0):
+class _Mesher:
+    """A tetrahedral mesher for the core: buffers in, bytes out."""
+
+    def __init__(self, tetrahedralise):
+        self.tetrahedralise = tetrahedralise
+
+    def __call__(self, points, triangles):
+        made = self.tetrahedralise(_array(points, np.float64, 3), _array(triangles, np.int32, 3))
+        if made is None:
+            return None
+        new_points, tetrahedra = made
+        return (np.ascontiguousarray(new_points, np.float64).reshape(-1, 3).tobytes(),
+                _ids(tetrahedra, 4, "tetrahedra").tobytes())
+
+
+def _check_count(name, value):
+    if isinstance(value, bool) or not isinstance(value, int) or value < 0:
+        raise HexconError(f"{name} must be an integer of at least 0, not {value!r}",
+                          ErrorCode.BAD_ARGUMENT)
+
+
+def check_options(method="auto", *, order=1, layers=0, threads=0):
     """Raise BAD_ARGUMENT for options that mesh would refuse: for callers with work to do before."""
     if method not in METHODS:
         raise HexconError(f"there is no method {method!r}; there are {', '.join(METHODS)}",
                           ErrorCode.BAD_ARGUMENT)
-    if isinstance(threads, bool) or not isinstance(threads, int) or threads < 0:
-        raise HexconError(f"threads must be an integer of at least 0, not {threads!r}",
+    _check_count("layers", layers)
+    _check_count("threads", threads)
+    if layers and method == "swept":
+        raise HexconError("a swept mesh has no boundary layers: choose method cells",
                           ErrorCode.BAD_ARGUMENT)
     if isinstance(order, bool) or order not in (1, 2):
         raise HexconError(f"order must be 1 or 2, not {order!r}", ErrorCode.BAD_ARGUMENT)
@@ -415,23 +469,27 @@ def _best_when_cancelled(points):
         raise
 
 
-def optimize(points, hexes, fixed=None, *, rounds=0, target=1.0, threads=0, progress=None):
+def optimize(points, hexes, fixed=None, *, rounds=0, target=1.0, mean_passes=0, threads=0,
+             progress=None):
     """Untangle and improve a hex mesh of order 1 by moving its free points.
 
     points, hexes  as quality
     fixed          (P,) bool, or ids of the points that stay; None: those of the boundary
     rounds         passes over what is inverted, and then over what can be better (0: 9)
     target         what reaches this scaled Jacobian is left alone
+    mean_passes    passes that raise the mean after that; for its sake a hex may be lowered to 3/4
+                   of the worst scaled Jacobian, but not below 0.1
     threads        0: one per processor; the result does not depend on it
-    Returns (P, 3) float64, never a worse mesh than it was given: no more inverted hexes, then no
-    lower worst scaled Jacobian; hexes proved positive are counted, so a certified mesh stays so.
+    Returns (P, 3) float64, never a worse mesh than it was given: no more inverted hexes, then
+    (without mean_passes) no lower worst scaled Jacobian; hexes proved positive are counted, so a certified mesh stays so.
     The numbering of the mesh does not matter either. Raises as certify, BAD_ARGUMENT, CANCELLED;
     the best points so far are then the error's `points`.
     """
     points, hexes = _mesh(points, hexes)
     mask = _fixed_mask(fixed, hexes, len(points))
     with _best_when_cancelled(points):
-        _core.optimize(points, hexes, mask, rounds, threads, float(target), progress)
+        _core.optimize(points, hexes, mask, rounds, threads, float(target), mean_passes,
+                       progress)
     return points
 
 

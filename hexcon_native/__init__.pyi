@@ -32,6 +32,9 @@ class ErrorCode(enum.IntEnum):
     SEVERAL_COMPONENTS: int
     ODD: int
     NOT_BIPARTITE: int
+    NO_PAIRING: int
+    UNFILLABLE_QUAD: int
+    NOT_STAR_SHAPED: int
     NOT_SWEPT: int
     NOT_CERTIFIED: int
 
@@ -90,6 +93,8 @@ class Mesh:
 def check_surface(points: ArrayLike, quads: ArrayLike) -> SurfaceReport: ...
 def loops(quads: ArrayLike) -> list[NDArray[np.int32]]: ...
 def colouring(quads: ArrayLike) -> NDArray[np.uint8]: ...
+def pairing(quads: ArrayLike, points: ArrayLike | None = ..., *,
+            progress: Progress | None = ...) -> NDArray[np.int32]: ...
 def mesh(points: ArrayLike, quads: ArrayLike, method: str = ..., *, order: int = ...,
          threads: int = ..., progress: Progress | None = ...,
          allow_uncertified: bool = ...) -> Mesh: ...

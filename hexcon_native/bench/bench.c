@@ -204,6 +204,25 @@ static void bench_damages(hexcon_context *context, table *t, int size, const hex
       bench_optimise(context, t, size, mesh, fixed_count, &damages[i], threads);
 }
 
+/** Pairs of a surface of about as many quads as there are hexes. */
+static void bench_pairing(hexcon_context *context, table *t, int size, size_t hexes) {
+  size_t n = (size_t)sqrt((double)hexes / 6);
+  surface_arrays s = cube_surface(n + n % 2);
+  bend(&s);
+  shuffle(&s);
+  int32_t *pairs = allocate(s.quad_count, sizeof *pairs);
+  for (int shaken = 0; shaken < 2; shaken++) {
+    double start = now();
+    check(context,
+          hexcon_surface_pairing(context, s.points, s.point_count, s.quads, s.quad_count, pairs));
+    note(t, size, shaken ? "pairing, quads shaken" : "pairing, as many quads", now() - start);
+    scramble(s.points, s.point_count, 0, 0.3 * cbrt((double)s.point_count) / (double)n, 1);
+  }
+  free(pairs);
+  free(s.points);
+  free(s.quads);
+}
+
 static void bench_size(hexcon_context *context, table *t, int size, size_t n) {
   surface_arrays s = cube_surface(n);
   bend(&s);
@@ -244,6 +263,7 @@ static void bench_size(hexcon_context *context, table *t, int size, size_t n) {
   note(t, size, "second order", now() - start);
   hexcon_second_order_free(context, &raised);
   bench_damages(context, t, size, mesh, s.point_count);
+  bench_pairing(context, t, size, t->hexes[size]);
   hexcon_mesh_free(context, mesh);
   free(s.points);
   free(s.quads);

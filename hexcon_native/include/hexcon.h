@@ -47,6 +47,9 @@ typedef enum hexcon_status {
   HEXCON_SEVERAL_COMPONENTS,       /**< elements: one quad of each component */
   HEXCON_ODD,                      /**< an odd number of quads: no hex mesh exists */
   HEXCON_NOT_BIPARTITE,            /**< elements: points of an odd edge cycle, in order */
+  HEXCON_NO_PAIRING,               /**< elements: quads left over when they are paired */
+  HEXCON_UNFILLABLE_QUAD,          /**< elements: quads on which no positive hex can stand */
+  HEXCON_NOT_STAR_SHAPED,          /**< no point inside sees the whole surface */
   HEXCON_NOT_SWEPT,                /**< elements: quads where the best attempt failed */
   HEXCON_NOT_CERTIFIED,            /**< elements: hexes whose Jacobian is not proved positive */
   HEXCON_STATUS_COUNT
@@ -136,6 +139,20 @@ void hexcon_loops_free(hexcon_context *context, hexcon_loops *loops);
 hexcon_status hexcon_surface_colouring(hexcon_context *context, const int32_t *quads,
                                        size_t quad_count, size_t point_count, uint8_t *colours);
 
+/**
+ * Pair every quad with a neighbour across an edge, so that each is in one pair. With points, pairs
+ * are flat, of two like quads and not elongated, as far as can be: their total weight is close to
+ * the greatest. A surface whose components are all even has such a pairing. Near-linear in
+ * practice.
+ * @param points      NULL: any pairing; then point_count only bounds the ids
+ * @param pairs       [quad_count / 2][2] receives the quads, ascending in each pair and by the
+ * first Errors: those of hexcon_check_surface (except UNUSED_POINT without points), ODD,
+ * NO_PAIRING, CANCELLED.
+ */
+hexcon_status hexcon_surface_pairing(hexcon_context *context, const double *points,
+                                     size_t point_count, const int32_t *quads, size_t quad_count,
+                                     int32_t *pairs);
+
 /* ------------------------------------------------------------------------------------- verify */
 
 /**
@@ -192,6 +209,9 @@ typedef struct hexcon_optimize_options {
   int max_rounds; /**< passes over what is inverted, and then over what can be better; default 9 */
   int threads;    /**< default: one per processor. The result does not depend on it */
   double target;  /**< leave alone what reaches this scaled Jacobian; default 1 */
+  /** Passes that raise the mean after that; default 0. For its sake a hex may be lowered to 3/4 of
+   * the worst scaled Jacobian, but not below 0.1. */
+  int mean_passes;
 } hexcon_optimize_options;
 
 /**
@@ -254,15 +274,42 @@ hexcon_status hexcon_raise_order(hexcon_context *context, const double *points, 
 void hexcon_second_order_free(hexcon_context *context, hexcon_second_order *raised);
 
 typedef enum hexcon_method {
-  HEXCON_METHOD_AUTO = 0, /**< the best of those below; today: swept */
-  HEXCON_METHOD_SWEPT
+  HEXCON_METHOD_AUTO = 0, /**< swept where the surface is a sweep's, else cells */
+  HEXCON_METHOD_SWEPT,
+  HEXCON_METHOD_CELLS, /**< any even surface of a convex or star-shaped body */
+  HEXCON_METHOD_COUNT
 } hexcon_method;
+
+/** Tetrahedra that a hexcon_tetrahedralise callback hands out. */
+typedef struct hexcon_tetrahedra {
+  size_t point_count;   /**< of new points */
+  const double *points; /**< [point_count][3] */
+  size_t tetrahedron_count;
+  const int32_t *tetrahedra; /**< [tetrahedron_count][4] ids of given points, then of new ones;
+                                  (b - a, c - a, d - a) right-handed */
+} hexcon_tetrahedra;
+
+/**
+ * Fills the inside of a closed triangulation with tetrahedra, whose boundary must be exactly the
+ * given triangles; called from the thread that meshes.
+ * @param points     [point_count][3]
+ * @param triangles  [triangle_count][3] counter-clockwise seen from outside
+ * @param out        arrays that stay valid until the next call, or until meshing returns
+ * @return false if there are none: meshing goes on without
+ */
+typedef bool (*hexcon_tetrahedralise)(void *user, const double *points, size_t point_count,
+                                      const int32_t *triangles, size_t triangle_count,
+                                      hexcon_tetrahedra *out);
 
 /** Options of hexcon_mesh_surface; zero means default. */
 typedef struct hexcon_mesh_options {
   hexcon_method method;
   int order;              /**< 1 (default) or 2: mid-edge points, VTK_QUADRATIC_HEXAHEDRON order */
   bool allow_uncertified; /**< return the best mesh even if it is not certified */
+  int threads;            /**< default: one per processor. The result does not depend on it */
+  int layers;             /**< cells: at least so many layers of plain hexes before any cell */
+  hexcon_tetrahedralise tetrahedralise; /**< cells: NULL for none; then all meets in one point */
+  void *tetrahedralise_user;
 } hexcon_mesh_options;
 
 /** Result of hexcon_mesh_surface. */
@@ -303,6 +350,8 @@ typedef struct hexcon_figure {
 } hexcon_figure;
 /** @param figures receives the array @return its length */
 size_t hexcon_mesh_report(const hexcon_mesh *mesh, const hexcon_figure **figures);
+/** What was tried, in order, a line each; valid as long as the mesh. */
+const char *hexcon_mesh_log(const hexcon_mesh *mesh);
 
 #ifdef __cplusplus
 }

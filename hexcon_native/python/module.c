@@ -4,6 +4,7 @@
  * shapes and types, converts, and wraps the results; nothing else should import this module.
  */
 #include "buffers.h"
+#include "mesher_call.h"
 #include "run.h"
 
 static PyObject *status_codes(PyObject *module, PyObject *arguments) {
@@ -110,6 +111,34 @@ static PyObject *colouring(PyObject *module, PyObject *arguments) {
   return colours;
 }
 
+static PyObject *pairing(PyObject *module, PyObject *arguments) {
+  (void)module;
+  Py_buffer points, quads; /* points: buf is NULL for None */
+  Py_ssize_t point_count;
+  PyObject *callback;
+  if (!PyArg_ParseTuple(arguments, "z*ny*O", &points, &point_count, &quads, &callback))
+    return NULL;
+  run r;
+  size_t quad_count = buffer_rows(&quads, 4, sizeof(int32_t));
+  PyObject *pairs =
+      PyByteArray_FromStringAndSize(NULL, (Py_ssize_t)(quad_count / 2 * 2 * sizeof(int32_t)));
+  if (pairs && run_begin(&r, callback)) {
+    int32_t *out = (int32_t *)(void *)PyByteArray_AsString(pairs);
+    run_release(&r);
+    hexcon_status status = hexcon_surface_pairing(r.context, points.buf, (size_t)point_count,
+                                                  quads.buf, quad_count, out);
+    run_acquire(&r);
+    if (!run_end(&r, status))
+      Py_CLEAR(pairs);
+  } else {
+    Py_CLEAR(pairs);
+  }
+  if (points.obj)
+    PyBuffer_Release(&points);
+  PyBuffer_Release(&quads);
+  return pairs;
+}
+
 static PyObject *quality(PyObject *module, PyObject *arguments) {
   (void)module;
   Py_buffer points, hexes;
@@ -181,8 +210,8 @@ static PyObject *optimize(PyObject *module, PyObject *arguments) {
   Py_buffer positions, hexes, fixed;
   hexcon_optimize_options options = {0};
   PyObject *callback, *result = NULL;
-  if (!PyArg_ParseTuple(arguments, "w*y*y*iidO", &positions, &hexes, &fixed, &options.max_rounds,
-                        &options.threads, &options.target, &callback))
+  if (!PyArg_ParseTuple(arguments, "w*y*y*iidiO", &positions, &hexes, &fixed, &options.max_rounds,
+                        &options.threads, &options.target, &options.mean_passes, &callback))
     return NULL;
   run r;
   if (run_begin(&r, callback)) {
@@ -277,34 +306,43 @@ static PyObject *figures_as_dict(const hexcon_mesh *mesh) {
 static PyObject *mesh_as_dict(const hexcon_mesh *mesh, size_t quad_count) {
   size_t nodes = hexcon_mesh_order(mesh) == 2 ? 20 : 8, hexes = hexcon_mesh_hex_count(mesh);
   return Py_BuildValue(
-      "{s:N,s:N,s:N,s:N,s:s,s:i,s:N,s:N}", "points",
+      "{s:N,s:N,s:N,s:N,s:s,s:i,s:N,s:N,s:s}", "points",
       buffer_copy(hexcon_mesh_points(mesh), 3 * hexcon_mesh_point_count(mesh), sizeof(double)),
       "hexes", buffer_copy(hexcon_mesh_hexes(mesh), nodes * hexes, sizeof(int32_t)), "quads",
       buffer_copy(hexcon_mesh_quads(mesh), 4 * quad_count, sizeof(int32_t)), "quality",
       buffer_copy(hexcon_mesh_quality(mesh), hexes, sizeof(double)), "method",
       hexcon_mesh_method(mesh), "order", hexcon_mesh_order(mesh), "certificate",
-      certificate_as_dict(hexcon_mesh_certificate(mesh)), "report", figures_as_dict(mesh));
+      certificate_as_dict(hexcon_mesh_certificate(mesh)), "report", figures_as_dict(mesh), "log",
+      hexcon_mesh_log(mesh));
 }
 
 static PyObject *mesh(PyObject *module, PyObject *arguments) {
   (void)module;
   Py_buffer points, quads;
-  int method, order, allow_uncertified;
-  PyObject *callback;
-  if (!PyArg_ParseTuple(arguments, "y*y*iipO", &points, &quads, &method, &order, &allow_uncertified,
-                        &callback))
+  int method, order, allow_uncertified, threads, layers;
+  PyObject *callback, *tetrahedralise;
+  if (!PyArg_ParseTuple(arguments, "y*y*iipiiOO", &points, &quads, &method, &order,
+                        &allow_uncertified, &threads, &layers, &tetrahedralise, &callback))
     return NULL;
   run r;
   PyObject *result = NULL;
   if (run_begin(&r, callback)) {
     hexcon_mesh *made = NULL;
-    hexcon_mesh_options options = {(hexcon_method)method, order, allow_uncertified != 0};
+    mesher_call mesher = {&r, tetrahedralise, NULL, NULL};
+    hexcon_mesh_options options = {.method = (hexcon_method)method,
+                                   .order = order,
+                                   .allow_uncertified = allow_uncertified != 0,
+                                   .threads = threads,
+                                   .layers = layers,
+                                   .tetrahedralise = tetrahedralise == Py_None ? NULL : call_mesher,
+                                   .tetrahedralise_user = &mesher};
     size_t quad_count = buffer_rows(&quads, 4, sizeof(int32_t));
     run_release(&r);
     hexcon_status status =
         hexcon_mesh_surface(r.context, points.buf, buffer_rows(&points, 3, sizeof(double)),
                             quads.buf, quad_count, &options, &made);
     run_acquire(&r);
+    mesher_call_release(&mesher);
     if (!status)
       result = mesh_as_dict(made, quad_count);
     hexcon_mesh_free(r.context, made);
@@ -321,15 +359,19 @@ static PyMethodDef methods[] = {
     {"check_surface", check_surface, METH_VARARGS, "check_surface(points, quads) -> dict"},
     {"loops", loops, METH_VARARGS, "loops(quads) -> (offsets, quads, self_crossings)"},
     {"colouring", colouring, METH_VARARGS, "colouring(quads, point_count) -> bytearray"},
+    {"pairing", pairing, METH_VARARGS,
+     "pairing(points or None, point_count, quads, progress) -> bytearray of int32"},
     {"quality", quality, METH_VARARGS, "quality(points, hexes) -> bytearray of float64"},
     {"certify", certify, METH_VARARGS, "certify(points, hexes, quads, progress) -> dict"},
     {"morph", morph, METH_VARARGS,
      "morph(positions, hexes, fixed, goal, boundary_only, target, progress) -> reached"},
     {"optimize", optimize, METH_VARARGS,
-     "optimize(positions, hexes, fixed, rounds, threads, target, progress)"},
+     "optimize(positions, hexes, fixed, rounds, threads, target, mean_passes, progress)"},
     {"raise_order", raise_order, METH_VARARGS, "raise_order(points, hexes) -> (points, hexes)"},
     {"mesh", mesh, METH_VARARGS,
-     "mesh(points, quads, method, order, allow_uncertified, progress) -> dict"},
+     "mesh(points, quads, method, order, allow_uncertified, threads, layers, tetrahedralise, "
+     "progress)"
+     " -> dict"},
     {NULL, NULL, 0, NULL}};
 
 static PyModuleDef_Slot slots[] = {{0, NULL}};

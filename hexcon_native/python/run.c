@@ -5,7 +5,7 @@
 static bool report_progress(void *user, const char *stage, double fraction) {
   run *r = user;
   run_acquire(r);
-  bool go_on = PyErr_CheckSignals() == 0;
+  bool go_on = !r->interrupted && PyErr_CheckSignals() == 0;
   if (go_on && r->callback) {
     PyObject *answer = PyObject_CallFunction(r->callback, "sd", stage, fraction);
     go_on = answer != NULL;

@@ -232,7 +232,8 @@ static bool all_finite(const hexcon_mesh *mesh) {
 static void run_mesh(hexcon_context *context, const test_mesh *mesh, hexcon_status facts,
                      bool allow_uncertified, outcomes *seen) {
   hexcon_mesh *made = NULL;
-  const hexcon_mesh_options options = {.allow_uncertified = allow_uncertified};
+  const hexcon_mesh_options options = {.method = HEXCON_METHOD_SWEPT,
+                                       .allow_uncertified = allow_uncertified};
   hexcon_status status = hexcon_mesh_surface(context, mesh->points, mesh->surface_point_count,
                                              mesh->quads, mesh->quad_count, &options, &made);
   expect_named(context, status, mesh);

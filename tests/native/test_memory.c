@@ -54,6 +54,18 @@ static hexcon_status call_colouring_torus(hexcon_context *context, material *m) 
   return status == HEXCON_NOT_BIPARTITE ? HEXCON_OK : status;
 }
 
+static hexcon_status call_pairing(hexcon_context *context, material *m) {
+  int32_t pairs[256];
+  return hexcon_surface_pairing(context, m->twisted.points, m->twisted.surface_point_count,
+                                m->twisted.quads, m->twisted.quad_count, pairs);
+}
+
+static hexcon_status call_pairing_topology(hexcon_context *context, material *m) {
+  int32_t pairs[256];
+  return hexcon_surface_pairing(context, NULL, m->torus.point_count, m->torus.quads,
+                                m->torus.quad_count, pairs);
+}
+
 static hexcon_status call_quality(hexcon_context *context, material *m) {
   double values[256];
   return hexcon_quality(context, m->swept.points, m->swept.point_count, m->swept.hexes,
@@ -117,7 +129,7 @@ static hexcon_status call_morph_boundary(hexcon_context *context, material *m) {
 
 static hexcon_status mesh_of(hexcon_context *context, const test_mesh *surface, int order) {
   hexcon_mesh *mesh = (hexcon_mesh *)context;
-  const hexcon_mesh_options options = {.order = order};
+  const hexcon_mesh_options options = {.method = HEXCON_METHOD_SWEPT, .order = order};
   hexcon_status status = hexcon_mesh_surface(context, surface->points, surface->surface_point_count,
                                              surface->quads, surface->quad_count, &options, &mesh);
   if (status)
@@ -165,6 +177,8 @@ static const struct {
              {"loops", call_loops},
              {"colouring", call_colouring},
              {"colouring torus", call_colouring_torus},
+             {"pairing", call_pairing},
+             {"pairing topology", call_pairing_topology},
              {"quality", call_quality},
              {"certify", call_certify},
              {"certify bad", call_certify_bad},

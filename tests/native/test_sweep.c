@@ -121,8 +121,9 @@ static hexcon_status refusal(test_mesh mesh) {
   hexcon_context *context = hexcon_context_new();
   hexcon_mesh *made = NULL;
   const int32_t *ids;
+  hexcon_mesh_options options = {.method = HEXCON_METHOD_SWEPT};
   hexcon_status status = hexcon_mesh_surface(context, mesh.points, mesh.surface_point_count,
-                                             mesh.quads, mesh.quad_count, NULL, &made);
+                                             mesh.quads, mesh.quad_count, &options, &made);
   assert_null(made);
   assert_message(context);
   size_t count = hexcon_context_elements(context, &ids);

@@ -11,8 +11,8 @@ import numpy as np
 from scipy.spatial import ConvexHull
 from surfaces import box, diced_hull, grid, o_grid, prism, schneiders_pyramid, upright, used_only
 
+from hexcon.gmsh_process import gmsh_python
 from hexcon.quads import surface_from_solid
-from hexcon.quads.gmsh_process import gmsh_python
 
 
 def sphere(n):
@@ -159,11 +159,16 @@ SOLIDS = {
 }
 
 
+def cad_file(body, path):
+    """Write what gmsh's code makes with `occ`; returns the path."""
+    subprocess.run([gmsh_python(), "-c", _CAD.format(body=body), str(path)], check=True)
+    return str(path)
+
+
 def cad_surface(name, folder, method="blossom"):
     """A quad surface that gmsh makes on one of SOLIDS; folder is for its CAD file."""
     body, size, _ = SOLIDS[name]
-    path = f"{folder}/{name}.brep"
-    subprocess.run([gmsh_python(), "-c", _CAD.format(body=body), path], check=True)
+    path = cad_file(body, f"{folder}/{name}.brep")
     surface = surface_from_solid(path, size, method)
     return surface.points, surface.quads
 

@@ -262,7 +262,7 @@ def test_info(tmp_path):
     found = facts("info", crossing)
     assert sorted(found["loops"]["self_crossings"]) == [0, 0, 0, 6] and found["even"]
     assert "4, 1 of them cross themselves (6 crossings)" in hexcon("info", crossing).stdout
-    told = facts("mesh", crossing, "-o", tmp_path / "x.inp", status=1)
+    told = facts("mesh", crossing, "--method", "swept", "-o", tmp_path / "x.inp", status=1)
     assert told["code"] == "NOT_SWEPT" and told["elements"]
 
 

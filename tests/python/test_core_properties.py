@@ -171,7 +171,7 @@ def test_not_swept(surface):
     report = hn.check_surface(points, quads)
     assert report.genus == 0 and report.even and report.oriented and report.convex
     with pytest.raises(hn.HexconError) as fault:
-        hn.mesh(points, quads)
+        hn.mesh(points, quads, "swept")
     assert fault.value.code == hn.ErrorCode.NOT_SWEPT
     assert str(fault.value).startswith("not swept: ")
     assert all(0 <= e < len(quads) for e in fault.value.elements)
@@ -182,7 +182,7 @@ def test_one_edge_turned(n, quad):
     """As many quads as a box has, and no sweep."""
     points, quads = make.turn_edge(make.box(n, n, n), quad)
     with pytest.raises(hn.HexconError) as fault:
-        hn.mesh(points, quads)
+        hn.mesh(points, quads, "swept")
     assert fault.value.code in (hn.ErrorCode.NOT_SWEPT, hn.ErrorCode.NOT_CERTIFIED)
 
 
@@ -192,7 +192,7 @@ def test_large_and_not_swept(quad):
     points, quads = make.turn_edge(make.box(180, 181, 182), quad)
     assert len(quads) > 190_000
     with pytest.raises(hn.HexconError) as fault:
-        hn.mesh(points, quads)
+        hn.mesh(points, quads, "swept")
     assert fault.value.code == hn.ErrorCode.NOT_SWEPT
 
 

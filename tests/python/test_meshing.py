@@ -63,7 +63,8 @@ def test_surface_method_is_kept(ball):
     """Quads made of triangles are no sweep, though the solid is."""
     mesh = hexcon.mesh_solid(WEDGE, 8.0, surface_method="transfinite")
     assert mesh.surface.method == mesh.report["surface method"] == "transfinite"
-    told = fault(hexcon.mesh_solid, WEDGE, 8.0, surface_method="subdivided-triangles")
+    told = fault(hexcon.mesh_solid, WEDGE, 8.0, surface_method="subdivided-triangles",
+                 method="swept")
     assert told.code is ErrorCode.NOT_SWEPT
     told = fault(hexcon.mesh_solid, ball, 4.0, surface_method="sweep")
     assert told.code is FaultCode.NOT_SWEEPABLE
@@ -84,11 +85,11 @@ def test_surfaces_of_no_solid():
 
 def test_no_sweep_says_why_twice(ball):
     """Why the surface is no sweep, and why the quads on it are none."""
-    told = fault(hexcon.mesh_solid, ball, 3.0)
+    told = fault(hexcon.mesh_solid, ball, 3.0, method="swept")
     assert told.code is ErrorCode.NOT_SWEPT and told.elements
     assert "auto: not swept: " in str(told) and "the surface: " in str(told)
     whole = surface_from_solid(ball, 3.0)
-    core = fault(hexcon_native.mesh, whole.points, whole.quads)
+    core = fault(hexcon_native.mesh, whole.points, whole.quads, "swept")
     assert str(core) in str(told) and all(note in str(told) for note in whole.notes)
     assert core.elements == told.elements and max(told.elements) < len(whole.quads)
 

@@ -9,8 +9,9 @@ import threading
 import numpy as np
 import pytest
 
+from hexcon import gmsh_process
 from hexcon.errors import FaultCode, ToolError
-from hexcon.quads import METHODS, gmsh_process, surface_from_solid
+from hexcon.quads import METHODS, surface_from_solid
 
 MAKE = """
 import gmsh, sys

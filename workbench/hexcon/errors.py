@@ -21,6 +21,7 @@ class FaultCode(enum.Enum):
     FILE_FORMAT = "file format"                # unknown ending, or not readable as such
     FILE_IO = "file input/output"              # missing, no permission, disk full
     FREECAD_MISSING = "FreeCAD missing"        # this call needs FreeCAD's Python modules
+    BAD_TRIANGLES = "bad triangles"            # not closed, not outward, a point unused or not finite
     BAD_MESH = "bad mesh"                      # not a hex mesh: wrong shape, index out of range
 
 

@@ -9,6 +9,7 @@
 #include "base/workers.h"
 #include "canonical_order.h"
 #include "groups.h"
+#include "raise_mean.h"
 #include "repair.h"
 #include "sharpen.h"
 #include "verify/hex_arrays.h"
@@ -26,6 +27,10 @@ static const double good_enough = 0.999;
 /** Quality of a hex that is not proved positive: its scaled Jacobian less this. */
 static const double penalty = 2;
 
+/** What a pass does to the regions it works on. Only the first looks at inverted hexes; the others
+ * leave alone what is near them. */
+typedef enum pass_kind { REPAIR, SHARPEN, RAISE_MEAN } pass_kind;
+
 typedef struct improvement {
   region_set set;
   hex_groups groups;
@@ -36,9 +41,10 @@ typedef struct improvement {
   int32_t *slots[WORKERS_MAX]; /* [point_count] each, all -1 */
   int threads;
   double target;
-  bool repairing;  /* or sharpening, which leaves alone what is near an inverted hex */
+  pass_kind kind;
   bool patient;    /* of repair_patch */
   double distance; /* of sharpen_patch */
+  double floor;    /* of raise_mean_patch */
   char stage[64];  /* for the user */
 } improvement;
 
@@ -47,6 +53,7 @@ typedef struct standing {
   size_t inverted; /* hexes not proved positive */
   double worst;    /* scaled Jacobian */
   double burden;   /* sum of 1 / scaled Jacobian: falls as the low ones rise */
+  double sum;      /* of scaled Jacobians */
 } standing;
 
 static double measure(const improvement *m, size_t hex) {
@@ -63,17 +70,20 @@ static bool is_inverted(double quality) {
 }
 
 static standing summarise(const improvement *m, const int32_t *hexes, size_t count) {
-  standing s = {0, 1, 0};
+  standing s = {0, 1, 0, 0};
   for (size_t i = 0; i < count; i++) {
     double value = m->quality[hexes ? (size_t)hexes[i] : i];
     s.inverted += is_inverted(value);
     s.worst = fmin(s.worst, is_inverted(value) ? value + penalty : value);
     s.burden += 1 / fmax(value, 1e-3);
+    s.sum += value;
   }
   return s;
 }
 
-static bool is_better(standing a, standing b) {
+static bool is_better(const improvement *m, standing a, standing b) {
+  if (m->kind == RAISE_MEAN)
+    return a.inverted == b.inverted && a.worst >= fmin(b.worst, m->floor) && a.sum > b.sum;
   if (a.inverted != b.inverted)
     return a.inverted < b.inverted;
   return a.worst > b.worst + 1e-6 || (a.worst >= b.worst && a.burden < b.burden * (1 - 1e-6));
@@ -109,11 +119,12 @@ static hexcon_status repair(hexcon_context *context, improvement *m, patch *p) {
   return status;
 }
 
-static hexcon_status sharpen(hexcon_context *context, improvement *m, patch *p) {
+static hexcon_status optimise(hexcon_context *context, improvement *m, patch *p) {
   newton n;
   hexcon_status status = newton_new(context, p, &n);
   if (!status)
-    status = sharpen_patch(context, &n, p, m->distance, m->target);
+    status = m->kind == SHARPEN ? sharpen_patch(context, &n, p, m->distance, m->target)
+                                : raise_mean_patch(context, &n, p, m->floor);
   newton_free(context, &n);
   return status;
 }
@@ -137,10 +148,10 @@ static hexcon_status improve_region(void *user, hexcon_context *context, int wor
     return HEXCON_OUT_OF_MEMORY;
   }
   memcpy(start, p.x, bytes);
-  status = m->repairing ? repair(context, m, &p) : sharpen(context, m, &p);
+  status = m->kind == REPAIR ? repair(context, m, &p) : optimise(context, m, &p);
   write_back(m, &p);
   standing after = summarise(m, hexes, hex_count);
-  if (!is_better(after, before)) {
+  if (!is_better(m, after, before)) {
     memcpy(p.x, start, bytes);
     write_back(m, &p);
   }
@@ -188,7 +199,7 @@ static hexcon_status repair_mesh(hexcon_context *context, improvement *m, int ro
   const size_t most = sizeof efforts / sizeof *efforts;
   hexcon_status status = HEXCON_OK;
   size_t before = SIZE_MAX, harder = 0;
-  m->repairing = true;
+  m->kind = REPAIR;
   for (; !status && *done < (size_t)rounds; ++*done) {
     size_t count = 0;
     for (size_t h = 0; h < m->set.mesh_hex_count; h++)
@@ -231,22 +242,24 @@ static const sharpening schedule[] = {{0.3, 0.5, 3},    {0.3, INFINITY, 0}, {0.1
                                       {0.001, 0.03, 4}, {0.0003, 0.02, 4},  {0.0001, 0.02, 4}};
 enum { SHARPENINGS = sizeof schedule / sizeof *schedule };
 
-/** Hexes within reach and below the target, worst first: groups form around the worst. */
+/** Hexes within reach and below the target, worst first: groups form around the worst.
+ * @param worst  receives the worst scaled Jacobian */
 static hexcon_status rank_seeds(hexcon_context *context, improvement *m, double reach,
-                                size_t *count) {
+                                double target, size_t *count, double *worst) {
   size_t hex_count = m->set.mesh_hex_count;
-  double worst = 1, mean = 0;
+  double mean = 0;
+  *worst = 1;
   *count = 0;
   ranked_hex *ranked = context_allocate(context, hex_count, sizeof *ranked);
   if (!ranked)
     return HEXCON_OUT_OF_MEMORY;
   for (size_t h = 0; h < hex_count; h++) {
     double value = is_inverted(m->quality[h]) ? 1 : m->quality[h];
-    worst = fmin(worst, value);
+    *worst = fmin(*worst, value);
     mean += value / (double)hex_count;
   }
-  (void)snprintf(m->stage, sizeof m->stage, "optimisation, worst scaled Jacobian %.3f", worst);
-  double limit = fmin(worst + reach * fmax(mean - worst, 1e-3), m->target);
+  (void)snprintf(m->stage, sizeof m->stage, "optimisation, worst scaled Jacobian %.3f", *worst);
+  double limit = fmin(*worst + reach * fmax(mean - *worst, 1e-3), target);
   for (size_t h = 0; h < hex_count; h++)
     if (m->quality[h] < limit && !is_inverted(m->quality[h]) && has_free_point(m, h))
       ranked[(*count)++] = (ranked_hex){m->quality[h], (int32_t)h};
@@ -260,16 +273,37 @@ static hexcon_status rank_seeds(hexcon_context *context, improvement *m, double 
 static hexcon_status sharpen_mesh(hexcon_context *context, improvement *m, int rounds,
                                   size_t *done) {
   hexcon_status status = HEXCON_OK;
-  m->repairing = false;
+  m->kind = SHARPEN;
   for (; !status && *done < (size_t)rounds; ++*done) {
     const sharpening *pass = &schedule[*done < SHARPENINGS ? *done : SHARPENINGS - 1];
     size_t count;
-    status = rank_seeds(context, m, pass->reach, &count);
+    double worst;
+    status = rank_seeds(context, m, pass->reach, m->target, &count, &worst);
     if (status || count == 0)
       break;
     m->distance = pass->distance;
     hex_groups_fill(&m->set, m->seeds, count, SHARPENED_AT_ONCE, &m->groups);
     status = improve_groups(context, m, pass->layers);
+  }
+  return status;
+}
+
+/** What a hex may be lowered to for the mean's sake: this part of the worst, and this value. */
+static const double floor_part = 0.75, lowest_floor = 0.1, least_floor = 1e-6;
+
+static hexcon_status raise_mean(hexcon_context *context, improvement *m, int passes) {
+  hexcon_status status = HEXCON_OK;
+  m->kind = RAISE_MEAN;
+  for (int pass = 0; !status && pass < passes; pass++) {
+    size_t count;
+    double worst;
+    status = rank_seeds(context, m, INFINITY, good_enough, &count, &worst);
+    if (status || count == 0)
+      break;
+    if (pass == 0)
+      m->floor = fmax(fmin(worst, fmax(floor_part * worst, lowest_floor)), least_floor);
+    hex_groups_fill(&m->set, m->seeds, count, SHARPENED_AT_ONCE, &m->groups);
+    status = improve_groups(context, m, 0);
   }
   return status;
 }
@@ -320,6 +354,8 @@ static hexcon_status improve_ordered(hexcon_context *context, canonical_order *m
     status = repair_mesh(context, &m, most, &repairs);
   if (!status)
     status = sharpen_mesh(context, &m, most, &sharpenings);
+  if (!status)
+    status = raise_mean(context, &m, options->mean_passes);
   if (rounds)
     *rounds = repairs + sharpenings;
   improvement_free(context, &m);
@@ -343,13 +379,13 @@ hexcon_status improve_mesh(hexcon_context *context, double *points, size_t point
 
 static hexcon_status check_options(hexcon_context *context,
                                    const hexcon_optimize_options *options) {
-  if (!options || (options->max_rounds >= 0 && options->threads >= 0 && options->target >= 0 &&
-                   options->target <= 1))
+  if (!options || (options->max_rounds >= 0 && options->threads >= 0 && options->mean_passes >= 0 &&
+                   options->target >= 0 && options->target <= 1))
     return HEXCON_OK;
   return context_fail(context, HEXCON_BAD_ARGUMENT,
-                      "optimize: rounds %d and threads %d must not be negative, the target %g "
-                      "must lie in 0 .. 1",
-                      options->max_rounds, options->threads, options->target);
+                      "optimize: rounds %d, threads %d and mean passes %d must not be negative, "
+                      "the target %g must lie in 0 .. 1",
+                      options->max_rounds, options->threads, options->mean_passes, options->target);
 }
 
 hexcon_status hexcon_optimize(hexcon_context *context, const double *points, size_t point_count,

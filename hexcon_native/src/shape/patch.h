@@ -21,6 +21,7 @@ typedef struct patch {
   int32_t *corners; /**< [hex_count][8] points of the patch */
   double *x;        /**< [point_count][3] */
   double *stretch;  /**< [hex_count][PATCH_EDGES] 1 / target length of each edge */
+  double *shares;   /**< [hex_count][8] what the energy of each corner counts; NULL: 1 */
   uint8_t *watched; /**< [hex_count] how closely the energy looks inside the hex, up to
                          PATCH_WATCH_MOST: on a grid of 2^watched parts; 0: at the corners only */
 } patch;

@@ -162,6 +162,13 @@ static void add_derivatives(const patch *p, size_t hex, const sample *s, double 
     add_hessian(corners, p->free_count, s, parts, d->identity, hessian);
 }
 
+/** Count a frame's energy by its share. */
+static void scale_derivatives(frame_derivatives *d, double share) {
+  double *all[] = {&d->value, &d->f, &d->k, &d->identity, &d->ff, &d->fk, &d->kk};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    *all[i] *= share;
+}
+
 patch_state patch_energy(const patch *p, const double *x, const frame_energy_options *options,
                          double *gradient, block_matrix *hessian) {
   patch_state state = {0, DBL_MAX};
@@ -179,6 +186,8 @@ patch_state patch_energy(const patch *p, const double *x, const frame_energy_opt
       frame_energy_options own = options_of(options, number);
       bool finite = frame_energy(frame, &own, gradient != NULL, &d);
       state.determinant = fmin(state.determinant, d.determinant);
+      if (p->shares)
+        scale_derivatives(&d, number < 8 ? p->shares[8 * h + (size_t)number] : inner_share);
       state.energy += finite ? d.value : INFINITY;
       if (!finite && !gradient)
         return state;

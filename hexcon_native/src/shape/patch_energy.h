@@ -13,8 +13,8 @@ typedef struct patch_state {
 } patch_state;
 
 /**
- * Sum over the eight corner frames of every hex, and over the frames on a grid of 3, 5 or 9 places
- * along each axis of the watched hexes. Frames of fixed points only are left out.
+ * Sum over the eight corner frames of every hex, by their shares, and over the frames on a grid of
+ * 3, 5 or 9 places along each axis of the watched hexes. Frames of fixed points only are left out.
  * @param x         [point_count][3] instead of p->x
  * @param gradient  [3 free_count]; NULL if not wanted
  * @param hessian   receives the second derivative with the gradient; NULL if not wanted

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
 #include "mesh_result.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <time.h>
 
@@ -12,6 +13,19 @@ void mesh_note(hexcon_mesh *mesh, const char *name, double value) {
   hexcon_figure *figure = &mesh->figures[mesh->figure_count++];
   (void)snprintf(figure->name, sizeof figure->name, "%s", name);
   figure->value = value;
+}
+
+void mesh_log(hexcon_mesh *mesh, const char *format, ...) {
+  size_t room = sizeof mesh->log - mesh->log_length; /* at least 1 */
+  va_list arguments;
+  va_start(arguments, format);
+  int written = vsnprintf(mesh->log + mesh->log_length, room, format, arguments);
+  va_end(arguments);
+  if (written <= 0 || room < 3)
+    return;
+  mesh->log_length += (size_t)written < room - 2 ? (size_t)written : room - 2;
+  mesh->log[mesh->log_length++] = '\n';
+  mesh->log[mesh->log_length] = '\0';
 }
 
 double mesh_clock(void) {
@@ -82,4 +96,8 @@ const double *hexcon_mesh_quality(const hexcon_mesh *mesh) {
 size_t hexcon_mesh_report(const hexcon_mesh *mesh, const hexcon_figure **figures) {
   *figures = mesh->figures;
   return mesh->figure_count;
+}
+
+const char *hexcon_mesh_log(const hexcon_mesh *mesh) {
+  return mesh->log;
 }

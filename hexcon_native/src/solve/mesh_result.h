@@ -5,7 +5,7 @@
 
 #include "base/context.h"
 
-enum { MAX_FIGURES = 32 };
+enum { MAX_FIGURES = 32, MAX_LOG = 4096 };
 
 struct hexcon_mesh {
   size_t point_count, hex_count, quad_count;
@@ -19,10 +19,15 @@ struct hexcon_mesh {
   hexcon_certificate certificate;
   size_t figure_count;
   hexcon_figure figures[MAX_FIGURES];
+  size_t log_length;
+  char log[MAX_LOG];
 };
 
 /** Add a figure; those beyond MAX_FIGURES are dropped. */
 void mesh_note(hexcon_mesh *mesh, const char *name, double value);
+
+/** Add a line (printf) to the log; what is beyond MAX_LOG is cut off. */
+void mesh_log(hexcon_mesh *mesh, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /** Seconds since an arbitrary start, for the report only. */
 double mesh_clock(void);

@@ -2,18 +2,26 @@
 /** The public call that fills a surface. */
 #include <string.h>
 
+#include "mesh_cells.h"
 #include "mesh_result.h"
 #include "mesh_swept.h"
 #include "surface/half_edges.h"
 #include "verify/certificate.h"
 
 static hexcon_status check_options(hexcon_context *context, const hexcon_mesh_options *options) {
-  if (options->method != HEXCON_METHOD_AUTO && options->method != HEXCON_METHOD_SWEPT)
+  if ((int)options->method < 0 || options->method >= HEXCON_METHOD_COUNT)
     return context_fail(context, HEXCON_BAD_ARGUMENT, "there is no method number %d",
                         (int)options->method);
   if (options->order < 0 || options->order > 2)
     return context_fail(context, HEXCON_BAD_ARGUMENT, "order %d: it must be 1 or 2",
                         options->order);
+  if (options->layers < 0 || options->threads < 0)
+    return context_fail(context, HEXCON_BAD_ARGUMENT,
+                        "layers %d and threads %d must not be negative", options->layers,
+                        options->threads);
+  if (options->layers > 0 && options->method == HEXCON_METHOD_SWEPT)
+    return context_fail(context, HEXCON_BAD_ARGUMENT,
+                        "a swept mesh has no boundary layers: choose method cells");
   return HEXCON_OK;
 }
 
@@ -62,6 +70,18 @@ static hexcon_status certify(hexcon_context *context, const surface *s,
                                         "there");
 }
 
+/** Boundary layers are asked of cells only: a sweep's rings are what its surface says. */
+static hexcon_status choose_method(hexcon_context *context, const surface *s,
+                                   const hexcon_mesh_options *options, hexcon_mesh *mesh) {
+  if (options->method == HEXCON_METHOD_CELLS || options->layers > 0)
+    return mesh_cells(context, s, options, mesh);
+  hexcon_status status = mesh_swept(context, s, mesh);
+  if (status != HEXCON_NOT_SWEPT || options->method != HEXCON_METHOD_AUTO)
+    return status;
+  context_clear(context);
+  return mesh_cells(context, s, options, mesh);
+}
+
 static hexcon_status fill_surface(hexcon_context *context, const surface *s,
                                   const hexcon_mesh_options *options, hexcon_mesh *mesh) {
   mesh->quad_count = s->quad_count;
@@ -70,7 +90,7 @@ static hexcon_status fill_surface(hexcon_context *context, const surface *s,
     return HEXCON_OUT_OF_MEMORY;
   memcpy(mesh->quads, s->quads, 4 * s->quad_count * sizeof *mesh->quads);
   mesh_note(mesh, "turned outward", s->turned);
-  hexcon_status status = mesh_swept(context, s, mesh);
+  hexcon_status status = choose_method(context, s, options, mesh);
   if (!status)
     status = certify(context, s, options, mesh);
   if (!status && options->order == 2) {

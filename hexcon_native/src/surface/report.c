@@ -6,6 +6,8 @@
 #include "geometry.h"
 #include "half_edges.h"
 #include "loops.h"
+#include "pair_weights.h"
+#include "pairing.h"
 #include "star_center.h"
 
 /** Every component on its own needs an even number: each is the boundary of its own filling. */
@@ -136,6 +138,48 @@ hexcon_status hexcon_surface_colouring(hexcon_context *context, const int32_t *q
   hexcon_status status = surface_build(context, NULL, point_count, quads, quad_count, &s);
   if (!status)
     status = surface_colour(context, &s, colours);
+  surface_free(context, &s);
+  return status;
+}
+
+static hexcon_status pair_by_shape(hexcon_context *context, const surface *s,
+                                   int32_t *half_edge_of_quad) {
+  double *weights = context_allocate(context, 4 * s->quad_count, sizeof *weights);
+  if (!weights)
+    return HEXCON_OUT_OF_MEMORY;
+  surface_pair_weights(s, weights);
+  hexcon_status status = surface_pair(context, s, weights, half_edge_of_quad);
+  context_free(context, weights);
+  return status;
+}
+
+static void list_pairs(const surface *s, const int32_t *half_edge_of_quad, int32_t *pairs) {
+  for (size_t q = 0; q < s->quad_count; q++) {
+    int32_t partner = half_edge_quad(s->twins[half_edge_of_quad[q]]);
+    if ((int32_t)q < partner) {
+      *pairs++ = (int32_t)q;
+      *pairs++ = partner;
+    }
+  }
+}
+
+hexcon_status hexcon_surface_pairing(hexcon_context *context, const double *points,
+                                     size_t point_count, const int32_t *quads, size_t quad_count,
+                                     int32_t *pairs) {
+  context_clear(context);
+  surface s;
+  int32_t *half_edge_of_quad = NULL;
+  hexcon_status status = surface_build(context, points, point_count, quads, quad_count, &s);
+  if (!status) {
+    half_edge_of_quad = context_allocate(context, quad_count, sizeof *half_edge_of_quad);
+    status = half_edge_of_quad ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
+  }
+  if (!status)
+    status = points ? pair_by_shape(context, &s, half_edge_of_quad)
+                    : surface_pair(context, &s, NULL, half_edge_of_quad);
+  if (!status)
+    list_pairs(&s, half_edge_of_quad, pairs);
+  context_free(context, half_edge_of_quad);
   surface_free(context, &s);
   return status;
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/vector.h"
+#include "geometry.h"
 
 enum { DIMENSIONS = 4, ROW = DIMENSIONS + 1 };
 
@@ -121,13 +122,28 @@ static bool corner_plane(const surface *s, int32_t corner, double normal[3], dou
   return length > 0;
 }
 
-/** Distance of a point to the nearest corner plane, negative where it is outside. */
-static double smallest_distance(const surface *s, const double point[3]) {
+/** Unit normal of a quad and the offset of its mean plane; false if it has no area. */
+static bool mean_plane(const surface *s, int32_t quad, double normal[3], double *offset) {
+  surface_quad_normal(s, quad, normal);
+  double length = vector_length(normal), middle[3] = {0};
+  for (int i = 0; i < 3; i++)
+    normal[i] /= length > 0 ? length : 1;
+  for (int corner = 0; corner < 4; corner++)
+    vector_add_scaled(middle, 0.25, s->points + 3 * (size_t)s->quads[4 * quad + corner]);
+  *offset = vector_dot(normal, middle);
+  return length > 0;
+}
+
+/** One of the planes that the centre shall be behind: of corners, or of whole quads. */
+typedef bool (*plane_function)(const surface *s, int32_t number, double normal[3], double *offset);
+
+/** Distance of a point to the nearest plane, negative where it is outside. */
+static double smallest_distance(const surface *s, plane_function plane, size_t count,
+                                const double point[3]) {
   double smallest = DBL_MAX, normal[3], offset;
-  for (size_t corner = 0; corner < 4 * s->quad_count; corner++)
-    smallest = fmin(smallest, corner_plane(s, (int32_t)corner, normal, &offset)
-                                  ? offset - vector_dot(normal, point)
-                                  : 0);
+  for (size_t i = 0; i < count; i++)
+    smallest = fmin(smallest,
+                    plane(s, (int32_t)i, normal, &offset) ? offset - vector_dot(normal, point) : 0);
   return smallest;
 }
 
@@ -159,12 +175,12 @@ static void shuffle(double (*rows)[ROW], size_t count) {
   }
 }
 
-static bool deepest_point(const surface *s, programme *p, double (*scratch[DIMENSIONS])[ROW],
-                          double center[3]) {
+static bool deepest_point(const surface *s, plane_function plane, size_t count, programme *p,
+                          double (*scratch[DIMENSIONS])[ROW], double center[3]) {
   double middle[3], half = bounding_cube(s, middle);
-  for (size_t corner = 0; corner < 4 * s->quad_count; corner++) {
+  for (size_t i = 0; i < count; i++) {
     double offset, *row = p->rows[p->count];
-    if (!corner_plane(s, (int32_t)corner, row, &offset))
+    if (!plane(s, (int32_t)i, row, &offset))
       continue;
     row[3] = 1;
     row[4] = (offset - vector_dot(row, middle)) / half;
@@ -179,9 +195,8 @@ static bool deepest_point(const surface *s, programme *p, double (*scratch[DIMEN
   return true;
 }
 
-hexcon_status surface_star_center(hexcon_context *context, const surface *s, double center[3],
-                                  double *margin) {
-  size_t planes = 4 * s->quad_count;
+static hexcon_status deepest_behind(hexcon_context *context, const surface *s, plane_function plane,
+                                    size_t planes, double center[3], double *margin) {
   double(*scratch[DIMENSIONS])[ROW] = {NULL};
   programme p = {DIMENSIONS, 0, context_allocate(context, planes, sizeof *p.rows), {0, 0, 0, 1}};
   bool complete = p.rows != NULL;
@@ -190,12 +205,22 @@ hexcon_status surface_star_center(hexcon_context *context, const surface *s, dou
     complete &= scratch[d] != NULL;
   }
   if (complete) {
-    if (!deepest_point(s, &p, scratch, center))
+    if (!deepest_point(s, plane, planes, &p, scratch, center))
       (void)bounding_cube(s, center);
-    *margin = smallest_distance(s, center);
+    *margin = smallest_distance(s, plane, planes, center);
   }
   context_free(context, p.rows);
   for (int d = 1; d < DIMENSIONS; d++)
     context_free(context, scratch[d]);
   return complete ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
+}
+
+hexcon_status surface_star_center(hexcon_context *context, const surface *s, double center[3],
+                                  double *margin) {
+  return deepest_behind(context, s, corner_plane, 4 * s->quad_count, center, margin);
+}
+
+hexcon_status surface_mean_center(hexcon_context *context, const surface *s, double center[3],
+                                  double *margin) {
+  return deepest_behind(context, s, mean_plane, s->quad_count, center, margin);
 }

@@ -16,5 +16,10 @@
  */
 hexcon_status surface_star_center(hexcon_context *context, const surface *s, double center[3],
                                   double *margin);
+/** As surface_star_center for the mean planes of whole quads: a single folded corner does not
+ * count.
+ */
+hexcon_status surface_mean_center(hexcon_context *context, const surface *s, double center[3],
+                                  double *margin);
 
 #endif

@@ -42,6 +42,8 @@ def _add_meshing(command):
                          help="how a solid's surface is meshed with quads")
     command.add_argument("--method", choices=list(hexcon_native.METHODS), default="auto",
                          help="how the surface is filled with hexes")
+    command.add_argument("--layers", type=int, default=0, metavar="K",
+                         help="cells: at least K layers of plain hexes under the surface")
     command.add_argument("--order", type=int, choices=(1, 2), default=1,
                          help="2: mid-edge nodes (C3D20)")
     command.add_argument("--allow-uncertified", action="store_true",

@@ -38,14 +38,14 @@ def _quality_line(quality):
 
 def _mesh_input(options):
     """Mesh of the input, solid or surface."""
-    kept = {"method": options.method, "order": options.order,
-            "allow_uncertified": options.allow_uncertified}
+    kept = {"method": options.method, "order": options.order, "layers": options.layers,
+            "timeout": options.timeout, "allow_uncertified": options.allow_uncertified}
     if _ending(options.input) in SOLID_ENDINGS:
         if options.size is None:
             raise ToolError("a solid needs --size, the wanted edge length in mm",
                             FaultCode.BAD_OPTION)
         return mesh_solid(options.input, options.size, surface_method=options.surface_method,
-                          timeout=options.timeout, **kept)
+                          **kept)
     return mesh_quad_surface(surface_from_file(options.input), **kept)
 
 
@@ -56,12 +56,21 @@ def _facts(mesh):
             "report": {k: v for k, v in mesh.report.items()}}
 
 
+def _made_of(mesh):
+    """What the method counts, in words."""
+    told = mesh.report
+    if mesh.method == "swept":
+        return f"{told['cap quads']:.0f} cap quads x {told['rings']:.0f} rings"
+    return (f"{told['layers']:.0f} layers, {told['pairs']:.0f} pairs of quads, "
+            f"{told['tetrahedra']:.0f} tetrahedra; {told['hexes per quad']:.1f} hexes a quad")
+
+
 def _mesh_lines(mesh):
     lines = [f"surface       {len(mesh.quads)} quads, method {mesh.surface.method}"]
     lines += [f"              {note}" for note in mesh.surface.notes]
     lines += [f"mesh          {len(mesh.hexes)} hexes, {len(mesh.points)} points, order "
-              f"{mesh.order}, method {mesh.method}: {mesh.report['cap quads']:.0f} cap quads x "
-              f"{mesh.report['rings']:.0f} rings",
+              f"{mesh.order}, method {mesh.method}: {_made_of(mesh)}",
+              *(f"tried         {line}" for line in mesh.report["log"]),
               _quality_line(mesh.quality), _certificate_line(mesh.certificate, mesh.order)]
     return lines
 

@@ -5,17 +5,41 @@ import time
 import hexcon_native
 from hexcon_native import ErrorCode, HexconError
 
+from ..errors import ToolError
 from ..quads import surface_from_solid
+from ..tetrahedra import tetrahedralise
+
+_ABOUT_THE_SURFACE = (ErrorCode.NOT_SWEPT, ErrorCode.NOT_STAR_SHAPED, ErrorCode.UNFILLABLE_QUAD,
+                      ErrorCode.NOT_BIPARTITE, ErrorCode.NOT_CERTIFIED)
 
 __all__ = ["mesh_quad_surface", "mesh_solid", "mesh_surface"]
 
 
-def mesh_surface(points, quads, method="auto", **options):
+def mesh_surface(points, quads, method="auto", *, timeout=120.0, progress=None, **options):
     """Fill a quad surface; arguments, result and errors as hexcon_native.mesh.
 
-    The place where methods join that need other programs; today it is the core alone.
+    Where cells need tetrahedra inside, gmsh is asked for them (timeout: seconds for each call), as
+    long as it is there; report["gmsh"] lists what it said where it found none.
     """
-    return hexcon_native.mesh(points, quads, method, **options)
+    said = []
+    mesh = hexcon_native.mesh(points, quads, method, progress=progress,
+                              tetrahedralise=_gmsh_tetrahedra(timeout, progress, said), **options)
+    if said:
+        mesh.report["gmsh"] = said
+    return mesh
+
+
+def _gmsh_tetrahedra(timeout, progress, said):
+    """A tetrahedral mesher for the core, which goes on without where gmsh finds nothing."""
+    def fill(points, triangles):
+        try:
+            filled, tetrahedra = tetrahedralise(points, triangles, timeout=timeout,
+                                                progress=_raising(progress))
+        except ToolError as fault:
+            said.append(str(fault))
+            return None
+        return filled[len(points):], tetrahedra
+    return fill
 
 
 def mesh_quad_surface(surface, method="auto", **options):
@@ -23,7 +47,7 @@ def mesh_quad_surface(surface, method="auto", **options):
     try:
         mesh = mesh_surface(surface.points, surface.quads, method, **options)
     except HexconError as fault:
-        if fault.code == ErrorCode.NOT_SWEPT and surface.notes:
+        if fault.code in _ABOUT_THE_SURFACE and surface.notes:
             raise HexconError(f"{fault} (the surface: {'; '.join(surface.notes)})", fault.code,
                               fault.elements) from fault
         raise
@@ -44,18 +68,18 @@ def mesh_solid(shape_or_file, size, *, surface_method="auto", method="auto", tim
     method          how the surface is filled: hexcon_native.METHODS
     timeout         seconds for gmsh
     progress        callable (stage, fraction); returning False or raising cancels
-    options         order, threads, allow_uncertified: as hexcon_native.mesh
+    options         order, layers, threads, allow_uncertified: as hexcon_native.mesh
     Returns a Mesh with more attributes: .surface (quads.QuadSurface), .face_of_quad ((n,) int64,
     1-based CAD face of each boundary quad) and .solid (shape_or_file).
     Raises HexconError: those of quads.surface_from_solid and hexcon_native.mesh.
     """
-    hexcon_native.check_options(method, order=options.get("order", 1),
-                                threads=options.get("threads", 0))
+    hexcon_native.check_options(method, **{name: options[name] for name in
+                                           ("order", "layers", "threads") if name in options})
     started = time.monotonic()
     surface = surface_from_solid(shape_or_file, size, surface_method, timeout=timeout,
                                  progress=_raising(progress))
     seconds = time.monotonic() - started
-    mesh = mesh_quad_surface(surface, method, progress=progress, **options)
+    mesh = mesh_quad_surface(surface, method, timeout=timeout, progress=progress, **options)
     mesh.solid = shape_or_file
     mesh.report["seconds surface"] = seconds
     return mesh

@@ -6,8 +6,8 @@ import os
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
+from hexcon.gmsh_process import run_job
 
-from .gmsh_process import run_job
 from .surface import finished
 
 METHODS = ("auto", "sweep", "subdivided", "subdivided-triangles", "blossom", "transfinite")
@@ -31,7 +31,7 @@ def surface_from_solid(shape_or_file, size, method="auto", *, timeout=120.0, pro
     """
     _check_options(size, method, timeout)
     source, face_numbers = _source(shape_or_file)
-    found = run_job(source, {"method": method, "size": float(size)}, timeout, progress)
+    found = run_job("gmsh_worker", source, {"method": method, "size": float(size)}, timeout, progress)
     notes = [str(n) for n in found["notes"]]
     _check_distance(found, notes)
     faces = found["faces"]

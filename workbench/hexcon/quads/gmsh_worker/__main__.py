@@ -1,42 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Entry point of the subprocess: reads the job, writes result.npz or fault.json beside it."""
-import json
-import os
-import signal
 import sys
 
 import numpy as np
 
-import gmsh
-
-from . import cad
+from . import cad, session
 from .fault import WorkerFault
-from .link import Link
 from .nearness import distances
 from .sweep import sweep_surface
 from .whole import whole_surface
 
 MOST_QUADS = 5e6    # more is a slip of the keyboard, and would fill the memory
-
-
-def main(job_path):
-    with open(job_path, encoding="utf-8") as stream:
-        job = json.load(stream)
-    folder = os.path.dirname(job_path)
-    if hasattr(signal, "alarm"):
-        signal.alarm(int(job["timeout"]) + 30)      # should the parent be killed, this process does not stay
-    link = Link(folder, job["avoid"])
-    gmsh.initialize([], False)
-    try:
-        for name, value in (("Terminal", 1), ("NumThreads", 1), ("Verbosity", 4)):
-            gmsh.option.setNumber("General." + name, value)
-        result = _run(job, link)
-    except WorkerFault as fault:
-        with open(os.path.join(folder, "fault.json"), "w", encoding="utf-8") as stream:
-            json.dump({"code": fault.code, "message": str(fault), "elements": fault.elements}, stream)
-        return 0
-    np.savez(os.path.join(folder, "result.npz"), **result)
-    return 0
 
 
 def _run(job, link):
@@ -76,4 +50,4 @@ def _mesh(solid, job, link):
     return whole_surface(solid, size, "subdivided-triangles", link), "subdivided-triangles", notes
 
 
-sys.exit(main(sys.argv[1]))
+sys.exit(session.run(sys.argv[1], _run))

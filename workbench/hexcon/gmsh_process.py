@@ -17,6 +17,9 @@ import numpy as np
 from hexcon.errors import FaultCode, ToolError
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+WORKERS = [os.path.join(HERE, name) for name in ("quads", "tetrahedra")]     # where the workers' packages are
+# HXT's work depends on the order of addresses in memory: with these it is nearly always the same from run to run.
+SAME_MEMORY = {"PYTHONHASHSEED": "0", "MALLOC_MMAP_THRESHOLD_": "1000000000", "MALLOC_TOP_PAD_": "268435456"}
 POLL = 0.03     # seconds between looks at the subprocess
 CRASHES = 12    # so often a job is started again without the step that killed it
 
@@ -48,25 +51,26 @@ def _has_gmsh(python):
         return False
 
 
-def run_job(write_input, job, timeout, progress=None):
+def run_job(worker, write_input, job, timeout, progress=None):
     """Mesh in a subprocess; returns the arrays of result.npz as a dict.
 
-    write_input  callable(folder) -> path of the CAD file, in the temporary folder or anywhere
-    job          dict with method and size
+    worker       name of the package that is run with -m: gmsh_worker or tetrahedra_worker
+    write_input  callable(folder) -> path of the file to mesh, in the temporary folder or anywhere
+    job          dict of what else the worker wants
     timeout      seconds, for the subprocess alone
     progress     callable(stage, fraction); whatever it raises stops the work and comes out here
     Where gmsh crashes in a step that has an alternative, the work is done again without that step.
     Raises ToolError TOOL_MISSING, TOOL_TIMEOUT, TOOL_FAILED (with gmsh's last words), or what the worker found.
     """
     python = gmsh_python(os.environ.get("HEXCON_GMSH_PYTHON") or None)
-    with tempfile.TemporaryDirectory(prefix="hexcon-quads-") as folder:
+    with tempfile.TemporaryDirectory(prefix="hexcon-gmsh-") as folder:
         job = dict(job, file=os.path.abspath(write_input(folder)), timeout=timeout, avoid=[])
         job_path = os.path.join(folder, "job.json")
         limit = time.monotonic() + timeout
         while True:
             with open(job_path, "w", encoding="utf-8") as stream:
                 json.dump(job, stream)
-            code = _run(python, job_path, folder, limit, timeout, progress)
+            code = _run(python, job_path, folder, worker, limit, timeout, progress)
             risk = _crashed_in(folder, code)
             if risk is None or len(job["avoid"]) >= CRASHES:
                 return _result(folder, code)
@@ -84,12 +88,13 @@ def _crashed_in(folder, code):
     return name
 
 
-def _run(python, job_path, folder, limit, timeout, progress):
+def _run(python, job_path, folder, worker, limit, timeout, progress):
     """Start, watch, and in any case end the subprocess; its exit status."""
-    env = dict(os.environ, PYTHONPATH=HERE, PYTHONDONTWRITEBYTECODE="1", OMP_NUM_THREADS="1")
+    env = dict(os.environ, PYTHONPATH=os.pathsep.join(WORKERS), PYTHONDONTWRITEBYTECODE="1",
+               OMP_NUM_THREADS="1", **SAME_MEMORY)
     with open(os.path.join(folder, "log.txt"), "wb") as log:
         try:
-            process = subprocess.Popen([python, "-m", "gmsh_worker", job_path], stdin=subprocess.DEVNULL, stdout=log,
+            process = subprocess.Popen([python, "-m", worker, job_path], stdin=subprocess.DEVNULL, stdout=log,
                                        stderr=subprocess.STDOUT, cwd=folder, env=env)
         except OSError as error:
             raise ToolError(f"cannot start {python}: {error}", FaultCode.TOOL_MISSING) from error

@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/** A copy of a star-shaped surface inside it: a safe inward offset. */
+#ifndef HEXCON_SHAPE_INNER_SURFACE_H
+#define HEXCON_SHAPE_INNER_SURFACE_H
+
+#include "surface/half_edges.h"
+
+typedef struct inner_surface_options {
+  double center[3]; /**< sees the corner triangles of the surface, but for a few folded ones */
+  double thickness; /**< wanted depth below the surface, in mean edge lengths there */
+  double depth;     /**< at most this part of the way from a quad's plane to the centre, < 1 */
+} inner_surface_options;
+
+/**
+ * Place the points of the copy. Each goes inward where it sees all its quads' planes sink alike,
+ * by a depth that varies smoothly; where boxes between the quads and their copies would be folded,
+ * or the centre would not see the copy, it is drawn towards a copy shrunk to the centre, which is
+ * always possible.
+ * @param inner  [point_count][3] receives the points
+ * Errors: OUT_OF_MEMORY. Linear.
+ */
+hexcon_status inner_surface_place(hexcon_context *context, const surface *s,
+                                  const inner_surface_options *options, double *inner);
+
+#endif
