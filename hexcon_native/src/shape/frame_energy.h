@@ -7,9 +7,10 @@
 
 /** Which energy; see frame_energy. */
 typedef struct frame_energy_options {
-  double epsilon; /**< > 0: finite for inverted frames too */
-  double theta;   /**< weight of volume against shape, in [0, 1) */
-  double ceiling; /**< > 0: a wall at this value of the energy */
+  double epsilon;       /**< > 0: finite for inverted frames too */
+  double theta;         /**< weight of volume against shape, in [0, 1) */
+  double ceiling;       /**< > 0: a wall at this value of the energy */
+  double inner_ceiling; /**< of frames inside a hex; 0: patch_energy takes it from the ceiling */
 } frame_energy_options;
 
 /**

@@ -83,7 +83,8 @@ static standing summarise(const improvement *m, const int32_t *hexes, size_t cou
 
 static bool is_better(const improvement *m, standing a, standing b) {
   if (m->kind == RAISE_MEAN)
-    return a.inverted == b.inverted && a.worst >= fmin(b.worst, m->floor) && a.sum > b.sum;
+    return a.inverted == b.inverted && a.sum > b.sum &&
+           a.worst * RAISE_MEAN_CLEARANCE * (1 + 1e-9) >= fmin(b.worst, m->floor);
   if (a.inverted != b.inverted)
     return a.inverted < b.inverted;
   return a.worst > b.worst + 1e-6 || (a.worst >= b.worst && a.burden < b.burden * (1 - 1e-6));
@@ -289,7 +290,7 @@ static hexcon_status sharpen_mesh(hexcon_context *context, improvement *m, int r
 }
 
 /** What a hex may be lowered to for the mean's sake: this part of the worst, and this value. */
-static const double floor_part = 0.75, lowest_floor = 0.1, least_floor = 1e-6;
+static const double floor_part = 0.76, lowest_floor = 0.101, least_floor = 1e-6;
 
 static hexcon_status raise_mean(hexcon_context *context, improvement *m, int passes) {
   hexcon_status status = HEXCON_OK;

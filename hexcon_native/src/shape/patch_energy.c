@@ -69,7 +69,8 @@ static const double inner_share = 0.25;
 
 static frame_energy_options options_of(const frame_energy_options *options, int number) {
   frame_energy_options own = *options;
-  own.ceiling /= number < 8 ? 1 : inner_share;
+  if (number >= 8)
+    own.ceiling = own.inner_ceiling > 0 ? own.inner_ceiling : own.ceiling / inner_share;
   return own;
 }
 
@@ -171,7 +172,7 @@ static void scale_derivatives(frame_derivatives *d, double share) {
 
 patch_state patch_energy(const patch *p, const double *x, const frame_energy_options *options,
                          double *gradient, block_matrix *hessian) {
-  patch_state state = {0, DBL_MAX};
+  patch_state state = {0, 0, DBL_MAX};
   if (gradient)
     memset(gradient, 0, 3 * p->free_count * sizeof *gradient);
   if (hessian)
@@ -199,7 +200,7 @@ patch_state patch_energy(const patch *p, const double *x, const frame_energy_opt
 
 patch_state patch_worst_frame(const patch *p, const double *x,
                               const frame_energy_options *options) {
-  patch_state state = {0, DBL_MAX};
+  patch_state state = {0, 0, DBL_MAX};
   frame_energy_options open = *options;
   open.ceiling = 0;
   for (size_t h = 0; h < p->hex_count; h++)
@@ -211,10 +212,18 @@ patch_state patch_worst_frame(const patch *p, const double *x,
         continue;
       bool finite = frame_energy(frame, &open, false, &d);
       state.determinant = fmin(state.determinant, d.determinant);
-      state.energy =
-          fmax(state.energy, finite ? d.value * (number < 8 ? 1 : inner_share) : INFINITY);
+      double energy = finite ? d.value : INFINITY;
+      if (number >= 8)
+        state.inner_energy = fmax(state.inner_energy, energy);
+      state.energy = fmax(state.energy, number < 8 ? energy : 0);
     }
   return state;
+}
+
+double patch_guarded_worst(const patch *p) {
+  const frame_energy_options options = {0};
+  patch_state state = patch_worst_frame(p, p->x, &options);
+  return fmax(state.energy, inner_share * state.inner_energy);
 }
 
 void patch_watch_thin(patch *p) {

@@ -8,8 +8,9 @@
 
 /** What an evaluation saw. */
 typedef struct patch_state {
-  double energy;      /**< infinite if some frame's is */
-  double determinant; /**< smallest of any frame, against its targets */
+  double energy;       /**< infinite if some frame's is */
+  double inner_energy; /**< patch_worst_frame: of the frames inside hexes */
+  double determinant;  /**< smallest of any frame, against its targets */
 } patch_state;
 
 /**
@@ -23,8 +24,13 @@ typedef struct patch_state {
 patch_state patch_energy(const patch *p, const double *x, const frame_energy_options *options,
                          double *gradient, block_matrix *hessian);
 
-/** Largest energy of a single frame (before any ceiling) and the smallest determinant. */
+/** Largest energy of a single corner frame and of a single one inside a hex (before any ceiling),
+ * and the smallest determinant. */
 patch_state patch_worst_frame(const patch *p, const double *x, const frame_energy_options *options);
+
+/** Largest energy of a single frame, where those inside hexes only guard positivity: they count a
+ * part. */
+double patch_guarded_worst(const patch *p);
 
 /** Watch the hexes that are thinner inside than their corners let expect: four times. */
 void patch_watch_thin(patch *p);

@@ -5,6 +5,9 @@
 
 #include "newton.h"
 
+/** The wall stands this far behind the worst frame where that is below the floor. */
+#define RAISE_MEAN_CLEARANCE 1.002
+
 /**
  * Raise the mean scaled Jacobian of a patch whose hexes are all positive, and keep them so. Newton
  * steps for the sum of the frames' energies S, each with the share that makes its slope that of

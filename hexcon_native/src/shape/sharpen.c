@@ -17,7 +17,7 @@ hexcon_status sharpen_patch(hexcon_context *context, newton *n, patch *p, double
   for (int step = 0; !status && step < most_steps && idle <= most_idle; step++) {
     frame_energy_options options = {0};
     patch_target_own_lengths(p, GUARDED_SMALLEST_EDGE);
-    double worst = patch_worst_frame(p, p->x, &options).energy;
+    double worst = patch_guarded_worst(p);
     idle = worst > best * (1 - worth * distance) ? idle + 1 : 0;
     best = fmin(best, worst);
     options.ceiling = worst * (1 + distance);
