@@ -50,12 +50,14 @@ typedef struct cell_problem {
   double *weights; /* [4 quad_count] of pairs */
   int32_t *partner;
   cell_complex cells;
+  size_t pairing; /* how often the pairs' weights were changed */
 } cell_problem;
 
 typedef struct cell_filling {
   double *points, *quality;
   int32_t *hexes;
   size_t point_count, hex_count, tetrahedron_count, rounds, layers;
+  size_t pairing; /* the problem's number of it */
   closure_kind closure;
   double thickness;
   size_t inverted; /* not proved positive */
@@ -321,7 +323,10 @@ static const char *const closure_names[] = {"star", "tetrahedra"};
 /** Fill by one closure; keep the better of that and `best`. */
 static hexcon_status try_closure(hexcon_context *context, const cell_problem *p, const attempt *way,
                                  closure_kind kind, hexcon_mesh *mesh, cell_filling *best) {
-  cell_filling f = {.closure = kind, .thickness = way->thickness, .layers = p->cells.layers};
+  cell_filling f = {.closure = kind,
+                    .thickness = way->thickness,
+                    .layers = p->cells.layers,
+                    .pairing = p->pairing};
   hexcon_status status = fill(context, p, way->thickness, kind, &f);
   if (!status && f.points)
     status = improve_roughly(context, p, &f);
@@ -346,8 +351,9 @@ static hexcon_status try_closure(hexcon_context *context, const cell_problem *p,
 /** Make pairs less wanted whose cells hold bad hexes. */
 static void keep_apart(cell_problem *p, const cell_filling *f) {
   size_t first = f->layers * p->s->quad_count, width = p->cells.domino->hex_count, cell = 0;
-  if (f->layers != p->cells.layers)
-    return; /* of another mesh */
+  if (f->pairing != p->pairing)
+    return; /* of an earlier one: its cells are not these */
+  p->pairing++;
   for (size_t q = 0; q < p->s->quad_count; q++) {
     int32_t h = p->partner[q];
     if (p->colours[half_edge_start(p->s, h)] == 0)
@@ -373,7 +379,9 @@ static hexcon_status try_way(hexcon_context *context, cell_problem *p, const att
     status = build_cells(context, p, layers);
   if (!status && meshes_inside)
     status = try_closure(context, p, way, CLOSURE_TETRAHEDRA, mesh, best);
-  if (!status && (!meshes_inside || p->s->quad_count <= STAR_QUADS || best->inverted > 0))
+  bool star =
+      !meshes_inside || !best->points || best->inverted > 0 || p->s->quad_count <= STAR_QUADS;
+  if (!status && star)
     status = try_closure(context, p, way, CLOSURE_STAR, mesh, best);
   return status;
 }
