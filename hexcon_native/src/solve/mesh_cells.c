@@ -2,6 +2,7 @@
 #include "mesh_cells.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "cell_filling.h"
@@ -157,6 +158,18 @@ static bool is_better(const cell_filling *a, const cell_filling *b) {
 
 static const char *const closure_names[] = {"star", "tetrahedra"};
 
+static void log_attempt(hexcon_mesh *mesh, const attempt *way, const cell_filling *f) {
+  char line[256], found[128] = "no tetrahedra found";
+  if (f->points)
+    (void)snprintf(found, sizeof found,
+                   "%zu hexes, %zu not positive, scaled Jacobian min %.4f, mean %.4f", f->hex_count,
+                   f->inverted, f->worst, f->mean);
+  (void)snprintf(line, sizeof line, "%s, thickness %.2f, %zu layers%s: %s",
+                 closure_names[f->closure], way->thickness, f->layers,
+                 way->pair_anew ? ", paired anew" : "", found);
+  mesh_log(mesh, line);
+}
+
 /** Fill by one closure; keep the better of that and `best`. */
 static hexcon_status try_closure(hexcon_context *context, const cell_problem *p, const attempt *way,
                                  closure_kind kind, hexcon_mesh *mesh, cell_filling *best) {
@@ -167,15 +180,8 @@ static hexcon_status try_closure(hexcon_context *context, const cell_problem *p,
   hexcon_status status = cell_filling_build(context, p, way->thickness, kind, &f);
   if (!status && f.points)
     status = improve_roughly(context, p, &f);
-  if (!status && f.points)
-    mesh_log(mesh,
-             "%s, thickness %.2f, %zu layers%s: %zu hexes, %zu not positive, scaled Jacobian min "
-             "%.4f, mean %.4f",
-             closure_names[kind], way->thickness, p->cells.layers,
-             way->pair_anew ? ", paired anew" : "", f.hex_count, f.inverted, f.worst, f.mean);
-  else if (!status)
-    mesh_log(mesh, "%s, thickness %.2f, %zu layers: no tetrahedra found", closure_names[kind],
-             way->thickness, p->cells.layers);
+  if (!status)
+    log_attempt(mesh, way, &f);
   if (!status && f.points && is_better(&f, best)) {
     cell_filling worse = *best;
     *best = f;

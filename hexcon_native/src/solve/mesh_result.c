@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
 #include "mesh_result.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <time.h>
 
@@ -15,17 +14,11 @@ void mesh_note(hexcon_mesh *mesh, const char *name, double value) {
   figure->value = value;
 }
 
-void mesh_log(hexcon_mesh *mesh, const char *format, ...) {
+void mesh_log(hexcon_mesh *mesh, const char *line) {
   size_t room = sizeof mesh->log - mesh->log_length; /* at least 1 */
-  va_list arguments;
-  va_start(arguments, format);
-  int written = vsnprintf(mesh->log + mesh->log_length, room, format, arguments);
-  va_end(arguments);
-  if (written <= 0 || room < 3)
-    return;
-  mesh->log_length += (size_t)written < room - 2 ? (size_t)written : room - 2;
-  mesh->log[mesh->log_length++] = '\n';
-  mesh->log[mesh->log_length] = '\0';
+  int written = snprintf(mesh->log + mesh->log_length, room, "%s\n", line);
+  if (written > 0)
+    mesh->log_length += (size_t)written < room ? (size_t)written : room - 1;
 }
 
 double mesh_clock(void) {

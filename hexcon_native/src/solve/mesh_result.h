@@ -26,8 +26,8 @@ struct hexcon_mesh {
 /** Add a figure; those beyond MAX_FIGURES are dropped. */
 void mesh_note(hexcon_mesh *mesh, const char *name, double value);
 
-/** Add a line (printf) to the log; what is beyond MAX_LOG is cut off. */
-void mesh_log(hexcon_mesh *mesh, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/** Add a line to the log; what is beyond MAX_LOG is cut off. */
+void mesh_log(hexcon_mesh *mesh, const char *line);
 
 /** Seconds since an arbitrary start, for the report only. */
 double mesh_clock(void);
