@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/vector.h"
+#include "construct/tuple_table.h"
 
 void closure_free(hexcon_context *context, closure *c) {
   context_free(context, c->tetrahedra);
@@ -57,6 +58,32 @@ static bool are_positive(const double *inner, size_t inner_count, const closure 
   return true;
 }
 
+/** Whether every face is met twice: by two tetrahedra, or by one and a given triangle. */
+static hexcon_status check_faces(hexcon_context *context, const closure *c,
+                                 const int32_t *triangles, size_t triangle_count, bool *match) {
+  static const unsigned char faces[4][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+  size_t most = 4 * c->tetrahedron_count + triangle_count;
+  tuple_table table;
+  hexcon_status status = tuple_table_new(context, most, &table);
+  uint8_t *met = context_allocate_zeroed(context, most, sizeof *met);
+  if (!met)
+    status = HEXCON_OUT_OF_MEMORY;
+  for (size_t i = 0; !status && i < most; i++) {
+    size_t face = i - triangle_count; /* of the tetrahedra, after the triangles */
+    const int32_t *ids = i < triangle_count ? triangles + 3 * i : c->tetrahedra + 4 * (face / 4);
+    const unsigned char *corners = faces[i < triangle_count ? 0 : face % 4];
+    int32_t number = tuple_table_number(&table, ids[corners[0]], ids[corners[1]], ids[corners[2]],
+                                        (int32_t)table.count);
+    met[number] = (uint8_t)(met[number] < 3 ? met[number] + 1 : 3);
+  }
+  *match = !status;
+  for (size_t i = 0; *match && i < table.count; i++)
+    *match = met[i] == 2;
+  context_free(context, met);
+  tuple_table_free(context, &table);
+  return status;
+}
+
 hexcon_status closure_tetrahedra(hexcon_context *context, const double *inner, size_t inner_count,
                                  const int32_t *triangles, size_t triangle_count,
                                  const hexcon_mesh_options *options, closure *out, bool *found) {
@@ -76,6 +103,7 @@ hexcon_status closure_tetrahedra(hexcon_context *context, const double *inner, s
     return status;
   memcpy(out->tetrahedra, made.tetrahedra, 4 * made.tetrahedron_count * sizeof *out->tetrahedra);
   memcpy(out->points, made.points, 3 * made.point_count * sizeof *out->points);
-  *found = made.tetrahedron_count > 0 && are_positive(inner, inner_count, out);
-  return HEXCON_OK;
+  if (!are_positive(inner, inner_count, out))
+    return HEXCON_OK;
+  return check_faces(context, out, triangles, triangle_count, found);
 }
