@@ -152,7 +152,7 @@ static hexcon_status polish(hexcon_context *context, const cell_problem *p, cell
 static bool is_better(const cell_filling *a, const cell_filling *b) {
   if (!b->points || a->inverted != b->inverted)
     return !b->points || a->inverted < b->inverted;
-  double part = fmin(a->worst, good_worst) - fmin(b->worst, good_worst);
+  double part = fmin(a->worst, 1.5 * good_worst) - fmin(b->worst, 1.5 * good_worst);
   return fabs(part) > 1e-3 ? part > 0 : a->mean > b->mean;
 }
 

@@ -12,6 +12,9 @@ from ..tetrahedra import tetrahedralise
 _ABOUT_THE_SURFACE = (ErrorCode.NOT_SWEPT, ErrorCode.NOT_STAR_SHAPED, ErrorCode.UNFILLABLE_QUAD,
                       ErrorCode.NOT_BIPARTITE, ErrorCode.NOT_CERTIFIED)
 
+# Of the tetrahedra inside: half as much makes a fifth more hexes, not better ones.
+_COARSENING = 1.0
+
 __all__ = ["mesh_quad_surface", "mesh_solid", "mesh_surface"]
 
 
@@ -34,6 +37,7 @@ def _gmsh_tetrahedra(timeout, progress, said):
     def fill(points, triangles):
         try:
             filled, tetrahedra = tetrahedralise(points, triangles, timeout=timeout,
+                                                coarsening=_COARSENING,
                                                 progress=_raising(progress))
         except ToolError as fault:
             said.append(str(fault))
