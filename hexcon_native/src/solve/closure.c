@@ -58,6 +58,22 @@ static bool are_positive(const double *inner, size_t inner_count, const closure 
   return true;
 }
 
+/** Whether every point, given or new, is a corner. */
+static hexcon_status check_points_used(hexcon_context *context, const closure *c,
+                                       size_t inner_count, bool *used) {
+  size_t count = inner_count + c->point_count, met = 0;
+  uint8_t *seen = context_allocate_zeroed(context, count, sizeof *seen);
+  if (!seen)
+    return HEXCON_OUT_OF_MEMORY;
+  for (size_t i = 0; i < 4 * c->tetrahedron_count; i++) {
+    met += seen[c->tetrahedra[i]] == 0;
+    seen[c->tetrahedra[i]] = 1;
+  }
+  context_free(context, seen);
+  *used = met == count;
+  return HEXCON_OK;
+}
+
 /** Whether every face is met twice: by two tetrahedra, or by one and a given triangle. */
 static hexcon_status check_faces(hexcon_context *context, const closure *c,
                                  const int32_t *triangles, size_t triangle_count, bool *match) {
@@ -105,5 +121,6 @@ hexcon_status closure_tetrahedra(hexcon_context *context, const double *inner, s
   memcpy(out->points, made.points, 3 * made.point_count * sizeof *out->points);
   if (!are_positive(inner, inner_count, out))
     return HEXCON_OK;
-  return check_faces(context, out, triangles, triangle_count, found);
+  status = check_points_used(context, out, inner_count, found);
+  return status || !*found ? status : check_faces(context, out, triangles, triangle_count, found);
 }

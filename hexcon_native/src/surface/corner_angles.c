@@ -48,6 +48,7 @@ static void add_words(fault_words *words, const char *separator, int32_t quad, d
 
 hexcon_status surface_check_fillable(hexcon_context *context, const surface *s, bool star_shaped) {
   fault_words corners = {.text = ""}, shared = {.text = ""};
+  int32_t listed = -1; /* a quad with several faults is listed once */
   for (int32_t h = 0; h < (int32_t)(4 * s->quad_count); h++) {
     double angle = surface_corner_angle(s, h);
     bool unfillable = (angle >= pi && !star_shaped) || fabs(sin(angle)) <= smallest_sine;
@@ -57,8 +58,10 @@ hexcon_status surface_check_fillable(hexcon_context *context, const surface *s, 
     if (doubled)
       add_words(&shared, ", ", half_edge_quad(h),
                 surface_corner_angle(s, half_edge_turn(h, 1)) * degrees);
-    if (unfillable || doubled)
-      context_add_element(context, half_edge_quad(h));
+    if ((unfillable || doubled) && half_edge_quad(h) != listed) {
+      listed = half_edge_quad(h);
+      context_add_element(context, listed);
+    }
   }
   if (corners.count)
     return context_fail(context, HEXCON_UNFILLABLE_QUAD,
