@@ -83,12 +83,20 @@ def test_all_parts_done(parts):
 @pytest.mark.parametrize("arguments,words", [
     (("{parts}",), "--size"), (("{parts}/none", "--size", "5"), "there is no folder"),
     (("{parts}", "--size", "5", "--write", ".xyz"), ".xyz"),
+    (("{parts}", "--size", "5", "--method", "swept", "--layers", "2"), "choose method cells"),
     (("{parts}", "--size", "5", "--out", "{parts}/notes.txt"), "cannot make")])
 def test_wrong_usage(parts, arguments, words):
     before = sorted(parts.iterdir())
     status, lines, errors = run_batch(*(word.format(parts=parts) for word in arguments))
     assert status == 2 and words in errors and "Traceback" not in errors and not lines
     assert sorted(parts.iterdir()) == before
+
+
+def test_method_and_layers(parts, capsys):
+    (parts / "wedge.step").unlink()
+    assert batch.main([str(parts), "--size", "10", "--method", "cells", "--layers", "1"]) == 0
+    line = capsys.readouterr().out.splitlines()[0]
+    assert " hexes, cells, " in line and hexes_of(line)["box.step"] > 24 * 31
 
 
 def test_no_parts(tmp_path):

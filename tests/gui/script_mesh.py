@@ -76,12 +76,12 @@ def box_becomes_a_mesh():
     close_panel()
 
 
-def start_macro():
+def start_macro(name="recorded"):
     """Through the recorder's dialog, which has no call of its own."""
     def press():
         dialog = wait(QtGui.QApplication.activeModalWidget, "the macro recorder's dialog")
         dialog.findChild(QtGui.QLineEdit, "lineEditMacroPath").setText(os.path.join(OUT, ""))
-        dialog.findChild(QtGui.QLineEdit, "lineEditPath").setText("recorded")
+        dialog.findChild(QtGui.QLineEdit, "lineEditPath").setText(name)
         dialog.findChild(QtGui.QPushButton, "buttonStart").click()
     QtCore.QTimer.singleShot(0, press)
     FreeCADGui.runCommand("Std_DlgMacroRecord")
@@ -184,6 +184,69 @@ def failure_is_told_in_words():
     assert not meshes()
     close_panel()
     doc.removeObject("Ball")
+
+
+def ball():
+    """A ball in the document, selected: no sweep."""
+    made = state["doc"].addObject("Part::Sphere", "Ball")
+    state["doc"].recompute()
+    select(made)
+    return made
+
+
+def a_ball_is_filled_with_cells():
+    doc, solid = state["doc"], ball()
+    start_macro("cells")  # a name of its own: the recorder asks before it overwrites
+    open_panel("HexCon_MeshSolid")
+    mesh(2.0, layers=2)
+    wait(is_idle, "the ball to be meshed")
+    stop_macro()
+    picture("panel_cells.png")
+    say(words())
+    for expected in ("Method: cells, ", " layers, ", "hexes a quad", "certified: every Jacobian",
+                     "Tried: tetrahedra, thickness"):
+        assert expected in words(), expected
+    (made,) = meshes()
+    assert made.FemMesh.HexaCount > 30 * 60
+    with open(os.path.join(OUT, "cells.FCMacro"), encoding="utf-8") as stream:
+        assert "method='auto', layers=2, order=1)" in stream.read()
+    close_panel()
+    doc.undo()
+    assert not meshes()
+    doc.removeObject(solid.Name)
+
+
+def the_method_is_chosen():
+    solid = ball()
+    open_panel("HexCon_MeshSolid")
+    layers = find(QtGui.QSpinBox, "layers")
+    assert (layers.minimum(), layers.maximum()) == (0, 10)
+    mesh(2.0, method="swept", layers=3)
+    wait(is_idle, "the ball to be refused")
+    assert "No mesh:" in words() and not meshes()  # refused as no sweep, not for its layers
+    assert "layers" not in words() and not layers.isEnabled()
+    method = find(QtGui.QComboBox, "method")
+    method.setCurrentIndex(method.findData("cells"))
+    assert layers.isEnabled()
+    close_panel()
+    state["doc"].removeObject(solid.Name)
+
+
+def cancel_stops_the_tetrahedra():
+    solid = ball()
+    before = untouched()
+    open_panel("HexCon_MeshSolid")
+    with held_at("tetrahedra inside") as (reached, go_on):
+        mesh(2.0, method="cells")
+        wait(reached.is_set, "tetrahedra inside")
+        wait(lambda: "tetrahedra" in find(QtGui.QProgressBar, "progress").format(), "the stage")
+        button("cancel").click()
+        go_on.set()
+        wait(is_idle, "the work to stop")
+    assert "Cancelled" in words(), words()
+    assert not gmsh_runs() and before == untouched()
+    close_panel()
+    state["doc"].removeObject(solid.Name)
 
 
 def second_order_mesh_is_checked():
@@ -320,6 +383,7 @@ def the_panel_ends_with_its_document():
 run(workbench_has_its_commands, commands_know_the_selection, box_becomes_a_mesh, undo_removes_it,
     the_macro_does_it_again, cancel_stops_gmsh,
     cancel_half_way_leaves_the_document_untouched, a_changed_solid_is_noticed,
-    failure_is_told_in_words, second_order_mesh_is_checked, bad_hexes_are_marked,
+    failure_is_told_in_words, a_ball_is_filled_with_cells, the_method_is_chosen,
+    cancel_stops_the_tetrahedra, second_order_mesh_is_checked, bad_hexes_are_marked,
     nothing_more_is_claimed_than_proved, a_body_is_meshed_as_a_whole,
     saved_and_reloaded, the_panel_ends_with_its_document)

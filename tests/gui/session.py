@@ -12,6 +12,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 OUT = os.environ["HEXCON_TEST_OUT"]
+WORKERS = ("gmsh_worker", "tetrahedra_worker")
 PATIENCE = 120.0  # seconds until something that should happen counts as missing
 
 
@@ -82,10 +83,11 @@ def is_idle():
     return button("mesh").isEnabled() and words()
 
 
-def mesh(size, method="auto", order=1):
+def mesh(size, surface_method="auto", order=1, method="auto", layers=0):
     """Set the open panel's widgets and press Mesh."""
     find(QtGui.QAbstractSpinBox, "size").setProperty("rawValue", size)
-    for name, data in (("surface_method", method), ("order", order)):
+    find(QtGui.QSpinBox, "layers").setValue(layers)
+    for name, data in (("surface_method", surface_method), ("method", method), ("order", order)):
         box = find(QtGui.QComboBox, name)
         box.setCurrentIndex(box.findData(data))
     button("mesh").click()
@@ -97,7 +99,8 @@ def gmsh_runs():
         try:
             with open(f"{folder}/stat") as stat, open(f"{folder}/cmdline") as line:
                 fields = stat.read().rsplit(")", 1)[1].split()
-                if "gmsh_worker" in line.read() and int(fields[1]) == os.getpid():
+                command = line.read()
+                if any(worker in command for worker in WORKERS) and int(fields[1]) == os.getpid():
                     return True
         except OSError:
             pass  # it ended while we looked

@@ -58,7 +58,8 @@ def gmsh_of(group):
             command = pathlib.Path(folder, "cmdline").read_text()
         except OSError:
             continue  # it ended while we looked
-        if int(stat.rsplit(")", 1)[1].split()[2]) == group and "gmsh_worker" in command:
+        if int(stat.rsplit(")", 1)[1].split()[2]) == group and \
+                ("gmsh_worker" in command or "tetrahedra_worker" in command):
             found.append(command)
     return found
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Quad surfaces that gmsh makes on convex CAD bodies, recombined ("blossom") or subdivided, in about the number of
 quads that is wanted. All are even. Coarse ones of curved bodies have folded quads and face doublets now and then
-(quad_figures tells); "blossom" leaves triangles on the plane triangles of hull_* and triangular_prism, at any size.
+(quad_figures tells); "blossom" leaves triangles on the plane triangles of hull_*, at any size.
 
 A surface is (points (V, 3), quads (n, 4)), quads counter-clockwise seen from outside.
 """

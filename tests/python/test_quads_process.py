@@ -183,6 +183,17 @@ def test_crashed_step_is_left_out(ball, monkeypatch):
     assert len(runs) == 2 and any("1.94" in note for note in surface.notes)
 
 
+def test_blossom_on_plane_triangles(tmp_path):
+    """gmsh's frontal algorithm leaves triangles at the corners of these, at every size: another one does not."""
+    prism = _cad(tmp_path / "prism.brep", "occ = gmsh.model.occ\n"
+                 "ring = [occ.addPoint(*p, 0) for p in ((2, 0), (-1, 1.7), (-1, -1.7))]\n"
+                 "lines = [occ.addLine(ring[k - 1], ring[k]) for k in range(3)]\n"
+                 "occ.extrude([(2, occ.addPlaneSurface([occ.addCurveLoop(lines)]))], 0, 0, 2)")
+    surface = surface_from_solid(prism, 0.6, "blossom")
+    assert len(surface.quads) % 2 == 0 and set(surface.face_of_quad) == set(range(1, 6))
+    assert any("algorithm 5" in note for note in surface.notes)
+
+
 def test_large_surface_is_quick_enough_to_try(box):
     surface = surface_from_solid(box, 0.1, "sweep")
     assert len(surface.quads) == 2 * (100 * 70 + 100 * 50 + 70 * 50) and np.isfinite(surface.points).all()

@@ -6,6 +6,8 @@ import sys
 import time
 import traceback
 
+from hexcon_native import METHODS, check_options
+
 from .chatter import chatter_to
 from .cli.commands import SOLID_ENDINGS
 from .errors import FaultCode, HexconError, ToolError
@@ -53,8 +55,8 @@ def mesh_part(path, results, size, **options):
         traceback.print_exc()
         return False, f"FAILED {name}: {type(fault).__name__}: {' '.join(str(fault).split())}"
     proof = "certified" if mesh.certificate.certified else "NOT certified"
-    return True, (f"ok     {name}: {len(mesh.hexes)} hexes, {mesh.surface.method} surface, scaled "
-                  f"Jacobian min {mesh.quality.min:.3f} mean {mesh.quality.mean:.3f}, {proof}, "
+    return True, (f"ok     {name}: {len(mesh.hexes)} hexes, {mesh.method}, {mesh.surface.method} "
+                  f"surface, scaled Jacobian min {mesh.quality.min:.3f} mean {mesh.quality.mean:.3f}, {proof}, "
                   f"{time.monotonic() - started:.1f} s")
 
 
@@ -92,6 +94,9 @@ def _parser():
         help="a format; may be given several times (default .inp)")
     parser.add_argument("--order", type=int, choices=(1, 2), default=1)
     parser.add_argument("--surface-method", choices=SURFACE_METHODS, default="auto")
+    parser.add_argument("--method", choices=list(METHODS), default="auto")
+    parser.add_argument("--layers", type=int, default=0,
+                        help="cells: at least so many layers of plain hexes under the surface")
     return parser
 
 
@@ -102,11 +107,13 @@ def main(arguments=None):
         print(f"mesh_folder: there is no folder {options.folder}", file=sys.stderr)
         return EXIT_USAGE
     try:
+        check_options(options.method, order=options.order, layers=options.layers)
         done, failed = mesh_folder(
             options.folder, options.out or os.path.join(options.folder, "hexcon"), options.size,
             tuple(options.write or (".inp",)), lambda line: print(line, flush=True),
-            order=options.order, surface_method=options.surface_method)
-    except ToolError as fault:
+            order=options.order, surface_method=options.surface_method, method=options.method,
+            layers=options.layers)
+    except HexconError as fault:
         print(f"mesh_folder: {fault}", file=sys.stderr)
         return EXIT_USAGE
     return EXIT_DONE if done and not failed else EXIT_SOME_FAILED

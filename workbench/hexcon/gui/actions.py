@@ -63,20 +63,23 @@ def default_size(shape):
     return min((float(f"{n}e{power}") for n in _NICE), key=lambda size: abs(size - tenth))
 
 
-def mesh_solid_object(solid_object, size, *, surface_method="auto", order=1, timeout=TIMEOUT):
+def mesh_solid_object(solid_object, size, *, surface_method="auto", method="auto", layers=0,
+                      order=1, timeout=TIMEOUT):
     """Mesh the one solid of a document object with hexes; returns the new FEM mesh object.
 
     solid_object    a document object whose Shape holds exactly one solid
     size            wanted edge length, mm
     surface_method  hexcon.quads.METHODS
+    method          hexcon_native.METHODS
+    layers          cells: at least so many layers of plain hexes under the surface
     order           1 (C3D8) or 2 (C3D20)
     timeout         seconds for gmsh
     One undo step; the solid is hidden, as the mesh covers it. Raises HexconError, the document
     untouched: those of hexcon.meshing.mesh_solid and femmesh.add_to_document.
     """
     mesh = _prepared.pop("result", None) or mesh_solid(
-        solid_shape(solid_object), size, surface_method=surface_method, order=order,
-        timeout=timeout)
+        solid_shape(solid_object), size, surface_method=surface_method, method=method,
+        layers=layers, order=order, timeout=timeout)
     return insert_mesh(mesh, solid_object)
 
 

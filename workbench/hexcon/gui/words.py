@@ -16,6 +16,10 @@ STAGES = {
     "mesh": QT_TRANSLATE_NOOP("HexCon", "Surface: quads by gmsh"),
     "check": QT_TRANSLATE_NOOP("HexCon", "Surface: distance from the solid"),
     "sweep recognition": QT_TRANSLATE_NOOP("HexCon", "Hexes: looking for sweeps"),
+    "pairing": QT_TRANSLATE_NOOP("HexCon", "Hexes: pairing quads"),
+    "tetrahedra inside": QT_TRANSLATE_NOOP("HexCon", "Hexes: tetrahedra inside"),
+    "measuring": QT_TRANSLATE_NOOP("HexCon", "Hexes: measuring"),
+    "untangling": QT_TRANSLATE_NOOP("HexCon", "Hexes: untangling"),
     "placement": QT_TRANSLATE_NOOP("HexCon", "Hexes: placing points"),
     "optimisation": QT_TRANSLATE_NOOP("HexCon", "Hexes: improving the worst"),
     "certificate: links": QT_TRANSLATE_NOOP("HexCon", "Certificate: neighbourhoods"),
@@ -55,13 +59,25 @@ def of_mesh(mesh):
              translate("HexCon", "{quads} quads, method {method}").format(
                  quads=count(len(mesh.quads)), method=report.get("surface method", "given"))),
             *_size(len(mesh.hexes), mesh.order, len(mesh.points))]
-    if report.get("rings"):
-        rows.append((translate("HexCon", "Sweep"),
-                     translate("HexCon", "{cap} cap quads \u00d7 {rings} rings").format(
-                         cap=count(report["cap quads"]), rings=count(report["rings"]))))
+    rows.append((translate("HexCon", "Method"), _made(mesh)))
     rows += _worth(mesh.quality, mesh.certificate)
     rows += [(translate("HexCon", "Note"), note) for note in report.get("surface notes", ())]
+    rows += [(translate("HexCon", "Tried"), line) for line in report["log"]]
+    rows += [(translate("HexCon", "gmsh"), line) for line in report.get("gmsh", ())]
     return rows
+
+
+def _made(mesh):
+    """What the method counts, and hexes for each quad of the surface."""
+    report = mesh.report
+    if mesh.method == "swept":
+        made = translate("HexCon", "swept, {cap} cap quads \u00d7 {rings} rings").format(
+            cap=count(report["cap quads"]), rings=count(report["rings"]))
+    else:
+        made = translate("HexCon", "cells, {layers} layers, {tetrahedra} tetrahedra inside").format(
+            layers=count(report["layers"]), tetrahedra=count(report["tetrahedra"]))
+    return made + translate("HexCon", "; {number:.1f} hexes a quad").format(
+        number=len(mesh.hexes) / len(mesh.quads))
 
 
 def _size(hexes, order, nodes):

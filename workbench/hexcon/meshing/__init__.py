@@ -38,12 +38,18 @@ def _gmsh_tetrahedra(timeout, progress, said):
         try:
             filled, tetrahedra = tetrahedralise(points, triangles, timeout=timeout,
                                                 coarsening=_COARSENING,
-                                                progress=_raising(progress))
+                                                progress=_as_one_stage(progress))
         except ToolError as fault:
             said.append(str(fault))
             return None
         return filled[len(points):], tetrahedra
     return fill
+
+
+def _as_one_stage(progress):
+    """gmsh's stages are not the surface's of the same names: they are all "tetrahedra inside"."""
+    report = _raising(progress)
+    return report and (lambda _, fraction: report("tetrahedra inside", fraction))
 
 
 def mesh_quad_surface(surface, method="auto", **options):
