@@ -343,7 +343,8 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
                        hexes; "auto": swept where the surface is a sweep's, else cells
     order              1, or 2 for mid-edge points on straight edges
     layers             cells: at least so many layers of plain hexes under the surface, before any
-                       cell; there may be one more, where it makes the cells better
+                       cell; there may be one more, where it makes the cells better. With
+                       layers, auto takes cells at once
     threads            0: one per processor; the result does not depend on it
     tetrahedralise     cells: None, and all meets in one point; or a callable
                        (points (P, 3), triangles (T, 3)) that fills a closed, outward triangulation:
