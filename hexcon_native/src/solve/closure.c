@@ -58,43 +58,51 @@ static bool are_positive(const double *inner, size_t inner_count, const closure 
   return true;
 }
 
-/** Whether every point, given or new, is a corner. */
-static hexcon_status check_points_used(hexcon_context *context, const closure *c,
-                                       size_t inner_count, bool *used) {
-  size_t count = inner_count + c->point_count, met = 0;
-  uint8_t *seen = context_allocate_zeroed(context, count, sizeof *seen);
-  if (!seen)
+/** Whether every new point is the corner of a tetrahedron: others would be points of no hex. */
+static hexcon_status check_points(hexcon_context *context, size_t inner_count, const closure *c,
+                                  bool *used) {
+  uint8_t *met = context_allocate_zeroed(context, c->point_count, sizeof *met);
+  if (!met)
     return HEXCON_OUT_OF_MEMORY;
-  for (size_t i = 0; i < 4 * c->tetrahedron_count; i++) {
-    met += seen[c->tetrahedra[i]] == 0;
-    seen[c->tetrahedra[i]] = 1;
-  }
-  context_free(context, seen);
-  *used = met == count;
+  for (size_t i = 0; i < 4 * c->tetrahedron_count; i++)
+    if ((size_t)c->tetrahedra[i] >= inner_count)
+      met[(size_t)c->tetrahedra[i] - inner_count] = 1;
+  *used = !memchr(met, 0, c->point_count);
+  context_free(context, met);
   return HEXCON_OK;
 }
 
-/** Whether every face is met twice: by two tetrahedra, or by one and a given triangle. */
+/** Bit of the way round in which a face names its corners. */
+static uint8_t face_sense(int32_t a, int32_t b, int32_t c) {
+  return (a < b) + (b < c) + (c < a) == 2 ? 1 : 2;
+}
+
+/** Whether every face is met once from each side: by two tetrahedra, or by one and a given
+ * triangle, which counts as seen from outside. */
 static hexcon_status check_faces(hexcon_context *context, const closure *c,
                                  const int32_t *triangles, size_t triangle_count, bool *match) {
-  static const unsigned char faces[4][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+  static const unsigned char faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  static const unsigned char inward[3] = {0, 2, 1};
   size_t most = 4 * c->tetrahedron_count + triangle_count;
   tuple_table table;
   hexcon_status status = tuple_table_new(context, most, &table);
   uint8_t *met = context_allocate_zeroed(context, most, sizeof *met);
   if (!met)
     status = HEXCON_OUT_OF_MEMORY;
-  for (size_t i = 0; !status && i < most; i++) {
+  *match = !status;
+  for (size_t i = 0; *match && i < most; i++) {
     size_t face = i - triangle_count; /* of the tetrahedra, after the triangles */
     const int32_t *ids = i < triangle_count ? triangles + 3 * i : c->tetrahedra + 4 * (face / 4);
-    const unsigned char *corners = faces[i < triangle_count ? 0 : face % 4];
-    int32_t number = tuple_table_number(&table, ids[corners[0]], ids[corners[1]], ids[corners[2]],
-                                        (int32_t)table.count);
-    met[number] = (uint8_t)(met[number] < 3 ? met[number] + 1 : 3);
+    const unsigned char *way = i < triangle_count ? inward : faces[face % 4];
+    int32_t corners[3] = {ids[way[0]], ids[way[1]], ids[way[2]]};
+    int32_t number =
+        tuple_table_number(&table, corners[0], corners[1], corners[2], (int32_t)table.count);
+    uint8_t sense = face_sense(corners[0], corners[1], corners[2]);
+    *match = !(met[number] & sense);
+    met[number] |= sense;
   }
-  *match = !status;
   for (size_t i = 0; *match && i < table.count; i++)
-    *match = met[i] == 2;
+    *match = met[i] == 3;
   context_free(context, met);
   tuple_table_free(context, &table);
   return status;
@@ -119,8 +127,11 @@ hexcon_status closure_tetrahedra(hexcon_context *context, const double *inner, s
     return status;
   memcpy(out->tetrahedra, made.tetrahedra, 4 * made.tetrahedron_count * sizeof *out->tetrahedra);
   memcpy(out->points, made.points, 3 * made.point_count * sizeof *out->points);
+  bool used = false;
   if (!are_positive(inner, inner_count, out))
     return HEXCON_OK;
-  status = check_points_used(context, out, inner_count, found);
-  return status || !*found ? status : check_faces(context, out, triangles, triangle_count, found);
+  status = check_points(context, inner_count, out, &used);
+  if (status || !used)
+    return status;
+  return check_faces(context, out, triangles, triangle_count, found);
 }
