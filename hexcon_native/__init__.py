@@ -23,11 +23,18 @@ except ImportError as fault:
 ErrorCode = enum.IntEnum("ErrorCode", _core.status_codes())
 ErrorCode.__doc__ = "One member per fault of the core; include/hexcon.h says what each means."
 
-METHODS = {"auto": 0, "swept": 1, "cells": 2}
+METHODS = {"auto": 0, "swept": 1, "cells": 2, "four-split": 3, "pyramid": 4, "pyramid-alt": 5, "geode": 6,
+           "geode-alt": 7}
+
+TOPOLOGICAL_METHODS = frozenset(list(METHODS)[3:])
+"""Methods whose meshes are conforming, but have Jacobians of zero or below: for no solver."""
+
+PAIRINGS = {"all": 0, "none": 1}
+_GIVEN_PAIRS = 2
 
 __all__ = [
-    "Certificate", "ErrorCode", "HexconError", "Loops", "METHODS", "Mesh", "Quality",
-    "SurfaceReport", "certify", "check_options", "check_surface", "colouring", "loops", "mesh", "morph", "optimize",
+    "Certificate", "ErrorCode", "HexconError", "Loops", "METHODS", "Mesh", "PAIRINGS",
+    "Quality", "SurfaceReport", "TOPOLOGICAL_METHODS", "certify", "check_options", "check_surface", "colouring", "loops", "mesh", "morph", "optimize",
     "pairing", "quality", "raise_order",
 ]
 
@@ -309,11 +316,13 @@ class Mesh:
 
     points       (P, 3) float64; rows 0 .. V-1 are the surface's points, bit for bit
     hexes        (H, 8) int32, or (H, 20) at order 2; VTK order, positive orientation
-    quads        (n, 4) int32, the surface's quads in their order, outward
+    quads        (n, 4) int32, the surface's quads in their order, outward; four-split: and then
+                 the inner quads, outward too
     order        1 or 2 (mid-edge points on straight edges)
     method       what made it
-    certificate  Certificate
-    quality      Quality
+    topological  its method is one of TOPOLOGICAL_METHODS: conforming, but for no solver
+    certificate  Certificate; None if certify was False
+    quality      Quality; None if it was left out
     report       dict of figures: counts, "seconds <stage>", quality; "log": list of what was tried
     """
 
@@ -323,24 +332,32 @@ class Mesh:
         self.hexes = _array(facts["hexes"], np.int32, 20 if self.order == 2 else 8)
         self.quads = _array(facts["quads"], np.int32, 4)
         self.method = facts["method"]
-        self.certificate = Certificate(facts["certificate"])
-        self.quality = Quality(_array(facts["quality"], np.float64))
+        self.topological = facts["topological"]
+        self.certificate = facts["certificate"] and Certificate(facts["certificate"])
+        self.quality = facts["quality"] and Quality(_array(facts["quality"], np.float64))
         self.report = dict(facts["report"], hexes=len(self.hexes), points=len(self.points),
-                           quality=self.quality.as_dict(), log=facts["log"].splitlines())
+                           log=facts["log"].splitlines())
+        if self.quality:
+            self.report["quality"] = self.quality.as_dict()
 
     def __repr__(self):
-        return (f"<{self.method} mesh of {len(self.hexes)} hexes, order {self.order}, "
-                f"{self.certificate}, {self.quality}>")
+        kind = "topological " if self.topological else ""
+        return (f"<{kind}{self.method} mesh of {len(self.hexes)} hexes, order {self.order}, "
+                f"{self.certificate or 'not checked'}, {self.quality}>")
 
 
 def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahedralise=None,
-         progress=None, allow_uncertified=False):
+         pairing="all", progress=None, allow_uncertified=False, certify=True):
     """Fill a closed quad surface with hexes whose boundary is exactly its quads.
 
     points, quads      as check_surface
     method             "swept": a cap's quads times rings; "cells": any even surface of a convex or
                        star-shaped body, 31 hexes a quad and tetrahedra inside, each cut into 4
-                       hexes; "auto": swept where the surface is a sweep's, else cells
+                       hexes; "auto": swept where the surface is a sweep's, else cells.
+                       The TOPOLOGICAL_METHODS are those of Carbonera and Shepherd (2006), for n
+                       quads of genus 0: "pyramid" 76 n hexes, "pyramid-alt" 58 n, "geode" 130 n,
+                       "geode-alt" 112 n; and of any genus "four-split" 28 n, layers under the
+                       surface down to quads that are all split in four
     order              1, or 2 for mid-edge points on straight edges
     layers             cells: at least so many layers of plain hexes under the surface, before any
                        cell; there may be one more, where it makes the cells better. With
@@ -351,19 +368,30 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
                        it returns new points (K, 3) and tetrahedra (M, 4) of positive volume, ids
                        of given points, then of new ones, whose boundary is exactly the triangles;
                        or None where it finds none. The better of both is taken
+    pairing            topological methods: "all" quads are paired, "none", which needs a surface whose
+                       loops do not cross themselves, or your pairs (k, 2) of quads that share an
+                       edge, such that no loop crosses itself then
     progress           callable (stage, fraction in 0 .. 1); returning False, raising, or Ctrl-C
                        cancels
     allow_uncertified  return the best mesh found even if its certificate fails
+    certify            False: prove nothing; the mesh has no certificate, and a topological one no
+                       quality
     Returns a Mesh. Raises HexconError: those of check_surface, SEVERAL_COMPONENTS, ODD, NOT_SWEPT
     (elements: the quads where the best attempt failed), UNFILLABLE_QUAD (elements: quads on which
-    no positive hex can stand), NOT_STAR_SHAPED, NOT_BIPARTITE, NO_PAIRING, NOT_CERTIFIED
-    (elements: hexes), CANCELLED, BAD_ARGUMENT, OUT_OF_MEMORY.
+    no positive hex can stand), NOT_STAR_SHAPED, NOT_BIPARTITE, NO_PAIRING, BAD_PAIRING (elements:
+    quads of pairs that are none), SELF_CROSSING (elements: quads that a loop passes twice), NO_SIDES
+    (elements: points of a closed path that crosses a family of loops an odd number of times; never
+    on a sphere), NOT_A_BALL, NOT_CERTIFIED (elements: hexes), CANCELLED, BAD_ARGUMENT,
+    OUT_OF_MEMORY. Topological meshes are returned if they are conforming and their boundary is exact.
     Cost: linear in the hexes made, plus the improvement of what is bad.
     """
-    check_options(method, order=order, layers=layers, threads=threads)
+    check_options(method, order=order, layers=layers, threads=threads, pairing=pairing)
     mesher = None if tetrahedralise is None else _Mesher(tetrahedralise)
+    given = None if isinstance(pairing, str) else _ids(pairing, 2, "pairing")
     return Mesh(_core.mesh(_points(points), _ids(quads, 4, "quads"), METHODS[method], int(order),
-                           allow_uncertified, threads, layers, mesher, progress))
+                           allow_uncertified, threads, layers, mesher,
+                           _GIVEN_PAIRS if given is not None else PAIRINGS[pairing], given,
+                           not certify, progress))
 
 
 class _Mesher:
@@ -387,16 +415,22 @@ def _check_count(name, value):
                           ErrorCode.BAD_ARGUMENT)
 
 
-def check_options(method="auto", *, order=1, layers=0, threads=0):
+def check_options(method="auto", *, order=1, layers=0, threads=0, pairing="all"):
     """Raise BAD_ARGUMENT for options that mesh would refuse: for callers with work to do before."""
     if method not in METHODS:
         raise HexconError(f"there is no method {method!r}; there are {', '.join(METHODS)}",
                           ErrorCode.BAD_ARGUMENT)
     _check_count("layers", layers)
     _check_count("threads", threads)
-    if layers and method == "swept":
-        raise HexconError("a swept mesh has no boundary layers: choose method cells",
+    if layers and method not in ("auto", "cells"):
+        raise HexconError("only cells have boundary layers: choose method cells",
                           ErrorCode.BAD_ARGUMENT)
+    if isinstance(pairing, str) and pairing not in PAIRINGS:
+        raise HexconError(f"there is no pairing {pairing!r}; there are {', '.join(PAIRINGS)}, or an "
+                          "array of pairs", ErrorCode.BAD_ARGUMENT)
+    if not (isinstance(pairing, str) and pairing == "all") and method not in TOPOLOGICAL_METHODS:
+        raise HexconError("a pairing is for the topological methods: "
+                          f"{', '.join(sorted(TOPOLOGICAL_METHODS))}", ErrorCode.BAD_ARGUMENT)
     if isinstance(order, bool) or order not in (1, 2):
         raise HexconError(f"order must be 1 or 2, not {order!r}", ErrorCode.BAD_ARGUMENT)
 

@@ -11,6 +11,8 @@ from .errors import HexconError as HexconError
 Progress = Callable[[str, float], Any]
 
 METHODS: dict[str, int]
+TOPOLOGICAL_METHODS: frozenset[str]
+PAIRINGS: dict[str, int]
 
 class ErrorCode(enum.IntEnum):
     OUT_OF_MEMORY: int
@@ -86,8 +88,9 @@ class Mesh:
     quads: NDArray[np.int32]
     order: int
     method: str
-    certificate: Certificate
-    quality: Quality
+    topological: bool
+    certificate: Certificate | None
+    quality: Quality | None
     report: dict[str, Any]
 
 def check_surface(points: ArrayLike, quads: ArrayLike) -> SurfaceReport: ...
@@ -96,9 +99,13 @@ def colouring(quads: ArrayLike) -> NDArray[np.uint8]: ...
 def pairing(quads: ArrayLike, points: ArrayLike | None = ..., *,
             progress: Progress | None = ...) -> NDArray[np.int32]: ...
 def mesh(points: ArrayLike, quads: ArrayLike, method: str = ..., *, order: int = ...,
-         threads: int = ..., progress: Progress | None = ...,
-         allow_uncertified: bool = ...) -> Mesh: ...
-def check_options(method: str = ..., *, order: int = ..., threads: int = ...) -> None: ...
+         layers: int = ..., threads: int = ...,
+         tetrahedralise: Callable[[NDArray[np.float64], NDArray[np.int32]],
+                                  tuple[ArrayLike, ArrayLike] | None] | None = ...,
+         pairing: str | ArrayLike = ..., progress: Progress | None = ...,
+         allow_uncertified: bool = ..., certify: bool = ...) -> Mesh: ...
+def check_options(method: str = ..., *, order: int = ..., layers: int = ..., threads: int = ...,
+                  pairing: str | ArrayLike = ...) -> None: ...
 def quality(points: ArrayLike, hexes: ArrayLike) -> Quality: ...
 def certify(points: ArrayLike, hexes: ArrayLike, quads: ArrayLike, *,
             progress: Progress | None = ...) -> Certificate: ...

@@ -2,8 +2,9 @@
 # A template file of resources/templates as C arrays: the core reads no files, and the compiler's
 # numbers do not depend on a locale.
 
-function(hexcon_embed_template name output)
-  set(path ${CMAKE_CURRENT_SOURCE_DIR}/../resources/templates/${name}.txt)
+function(hexcon_embed_template stem output)
+  get_filename_component(name ${stem} NAME)
+  set(path ${CMAKE_CURRENT_SOURCE_DIR}/../resources/templates/${stem}.txt)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})
   set(number "([^ ]+)")
   foreach(kind v h q)
@@ -22,7 +23,7 @@ function(hexcon_embed_template name output)
     list(JOIN ${kind}_twice "" ${kind}_rows)
   endforeach()
   file(WRITE ${output}.new
-    "/* Made from resources/templates/${name}.txt */\n"
+    "/* Made from resources/templates/${stem}.txt */\n"
     "#include \"construct/hex_template.h\"\n\n"
     "static const template_point points[] = {\n${points}};\n\n"
     "static const int32_t hexes[][8] = {\n${h_rows}};\n\n"

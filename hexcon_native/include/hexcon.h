@@ -48,6 +48,11 @@ typedef enum hexcon_status {
   HEXCON_ODD,                      /**< an odd number of quads: no hex mesh exists */
   HEXCON_NOT_BIPARTITE,            /**< elements: points of an odd edge cycle, in order */
   HEXCON_NO_PAIRING,               /**< elements: quads left over when they are paired */
+  HEXCON_BAD_PAIRING,              /**< elements: quads paired twice, or with no neighbour */
+  HEXCON_SELF_CROSSING,            /**< elements: quads that one dual loop passes twice */
+  HEXCON_NO_SIDES,                 /**< elements: points of a closed path that crosses a family
+                                        of dual loops an odd number of times, in order */
+  HEXCON_NOT_A_BALL,               /**< the method closes surfaces of genus 0 only */
   HEXCON_UNFILLABLE_QUAD,          /**< elements: quads on which no positive hex can stand */
   HEXCON_NOT_STAR_SHAPED,          /**< no point inside sees the whole surface */
   HEXCON_NOT_SWEPT,                /**< elements: quads where the best attempt failed */
@@ -277,8 +282,24 @@ typedef enum hexcon_method {
   HEXCON_METHOD_AUTO = 0, /**< swept where the surface is a sweep's, else cells */
   HEXCON_METHOD_SWEPT,
   HEXCON_METHOD_CELLS, /**< any even surface of a convex or star-shaped body */
+  /* Those of Carbonera and Shepherd, for n quads: topological, so their meshes are conforming, but
+   * some Jacobians are zero or negative, whatever the points. auto never takes them. */
+  HEXCON_METHOD_FOUR_SPLIT,  /**< 28 n hexes under the surface, down to quads that are all split in
+                                  four; of any genus */
+  HEXCON_METHOD_PYRAMID,     /**< 76 n hexes */
+  HEXCON_METHOD_PYRAMID_ALT, /**< 58 n, by Mitchell's split layers */
+  HEXCON_METHOD_GEODE,       /**< 130 n */
+  HEXCON_METHOD_GEODE_ALT,   /**< 112 n */
   HEXCON_METHOD_COUNT
 } hexcon_method;
+
+/** Which quads the topological methods pair, so that no dual loop crosses itself. */
+typedef enum hexcon_pairing {
+  HEXCON_PAIRING_ALL = 0, /**< every quad, as hexcon_surface_pairing without points */
+  HEXCON_PAIRING_NONE,    /**< for surfaces whose loops do not cross themselves anyway */
+  HEXCON_PAIRING_GIVEN,   /**< the caller's pairs */
+  HEXCON_PAIRING_COUNT
+} hexcon_pairing;
 
 /** Tetrahedra that a hexcon_tetrahedralise callback hands out. */
 typedef struct hexcon_tetrahedra {
@@ -310,6 +331,11 @@ typedef struct hexcon_mesh_options {
   int layers;             /**< cells: at least so many layers of plain hexes before any cell */
   hexcon_tetrahedralise tetrahedralise; /**< cells: NULL for none; then all meets in one point */
   void *tetrahedralise_user;
+  hexcon_pairing pairing; /**< topological methods */
+  const int32_t *pairs;   /**< [pair_count][2] quads that share an edge, if pairing is GIVEN */
+  size_t pair_count;
+  bool skip_certificate; /**< prove nothing: the certificate is empty; topological methods leave the
+                              quality out too */
 } hexcon_mesh_options;
 
 /** Result of hexcon_mesh_surface. */
@@ -319,9 +345,11 @@ typedef struct hexcon_mesh hexcon_mesh;
  * Fill a surface with hexes. The first point_count rows of the result are the input points.
  * @param options  NULL for defaults
  * @param mesh     receives the result; free with hexcon_mesh_free
- * Errors: those of hexcon_check_surface, SEVERAL_COMPONENTS, ODD, NOT_SWEPT, NOT_CERTIFIED,
- * CANCELLED, OUT_OF_MEMORY; `mesh` is then NULL. Cost: linear in the hexes made, plus the
- * optimisation of what is bad.
+ * Errors: those of hexcon_check_surface, SEVERAL_COMPONENTS, ODD, NOT_SWEPT, UNFILLABLE_QUAD,
+ * NOT_STAR_SHAPED, NO_PAIRING, BAD_PAIRING, SELF_CROSSING, NO_SIDES, NOT_A_BALL, NOT_CERTIFIED,
+ * CANCELLED, BAD_ARGUMENT, OUT_OF_MEMORY; `mesh` is then NULL. A topological mesh that is
+ * conforming and has the surface for its boundary is no error. Cost: linear in the hexes made, plus
+ * the optimisation of what is bad.
  */
 hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points, size_t point_count,
                                   const int32_t *quads, size_t quad_count,
@@ -335,12 +363,18 @@ int hexcon_mesh_order(const hexcon_mesh *mesh);
 const double *hexcon_mesh_points(const hexcon_mesh *mesh);
 /** [hex_count][8], or [hex_count][20] at order 2 */
 const int32_t *hexcon_mesh_hexes(const hexcon_mesh *mesh);
-/** [quad_count][4] the input quads in their order, outward (turned if they were inward) */
+/** [hexcon_mesh_quad_count][4] the input quads in their order, outward (turned if they were
+ * inward); method four-split: and then its inner quads */
 const int32_t *hexcon_mesh_quads(const hexcon_mesh *mesh);
+size_t hexcon_mesh_quad_count(const hexcon_mesh *mesh);
+/** True if the method's meshes are topological: never certified, for no solver. */
+bool hexcon_mesh_is_topological(const hexcon_mesh *mesh);
+/** False if skip_certificate was set: hexcon_mesh_certificate tells nothing. */
+bool hexcon_mesh_is_checked(const hexcon_mesh *mesh);
 /** Name of the method that made it, static text */
 const char *hexcon_mesh_method(const hexcon_mesh *mesh);
 const hexcon_certificate *hexcon_mesh_certificate(const hexcon_mesh *mesh);
-/** Scaled Jacobian of every hex [hex_count] */
+/** Scaled Jacobian of every hex [hex_count]; NULL where it was left out */
 const double *hexcon_mesh_quality(const hexcon_mesh *mesh);
 
 /** A figure of the report: counts, seconds per stage ("seconds <stage>"), quality. */

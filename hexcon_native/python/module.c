@@ -303,26 +303,34 @@ static PyObject *figures_as_dict(const hexcon_mesh *mesh) {
   return dict;
 }
 
-static PyObject *mesh_as_dict(const hexcon_mesh *mesh, size_t quad_count) {
+/** None for an array that was left out. */
+static PyObject *optional_copy(const void *array, size_t count, size_t size) {
+  return array ? buffer_copy(array, count, size) : Py_BuildValue("");
+}
+
+static PyObject *mesh_as_dict(const hexcon_mesh *mesh) {
   size_t nodes = hexcon_mesh_order(mesh) == 2 ? 20 : 8, hexes = hexcon_mesh_hex_count(mesh);
   return Py_BuildValue(
-      "{s:N,s:N,s:N,s:N,s:s,s:i,s:N,s:N,s:s}", "points",
+      "{s:N,s:N,s:N,s:N,s:s,s:i,s:N,s:N,s:N,s:s}", "points",
       buffer_copy(hexcon_mesh_points(mesh), 3 * hexcon_mesh_point_count(mesh), sizeof(double)),
       "hexes", buffer_copy(hexcon_mesh_hexes(mesh), nodes * hexes, sizeof(int32_t)), "quads",
-      buffer_copy(hexcon_mesh_quads(mesh), 4 * quad_count, sizeof(int32_t)), "quality",
-      buffer_copy(hexcon_mesh_quality(mesh), hexes, sizeof(double)), "method",
-      hexcon_mesh_method(mesh), "order", hexcon_mesh_order(mesh), "certificate",
-      certificate_as_dict(hexcon_mesh_certificate(mesh)), "report", figures_as_dict(mesh), "log",
-      hexcon_mesh_log(mesh));
+      buffer_copy(hexcon_mesh_quads(mesh), 4 * hexcon_mesh_quad_count(mesh), sizeof(int32_t)),
+      "quality", optional_copy(hexcon_mesh_quality(mesh), hexes, sizeof(double)), "method",
+      hexcon_mesh_method(mesh), "order", hexcon_mesh_order(mesh), "topological",
+      boolean(hexcon_mesh_is_topological(mesh)), "certificate",
+      hexcon_mesh_is_checked(mesh) ? certificate_as_dict(hexcon_mesh_certificate(mesh))
+                                   : Py_BuildValue(""),
+      "report", figures_as_dict(mesh), "log", hexcon_mesh_log(mesh));
 }
 
 static PyObject *mesh(PyObject *module, PyObject *arguments) {
   (void)module;
-  Py_buffer points, quads;
-  int method, order, allow_uncertified, threads, layers;
+  Py_buffer points, quads, pairs; /* pairs: buf is NULL for None */
+  int method, order, allow_uncertified, threads, layers, pairing, skip_certificate;
   PyObject *callback, *tetrahedralise;
-  if (!PyArg_ParseTuple(arguments, "y*y*iipiiOO", &points, &quads, &method, &order,
-                        &allow_uncertified, &threads, &layers, &tetrahedralise, &callback))
+  if (!PyArg_ParseTuple(arguments, "y*y*iipiiOiz*pO", &points, &quads, &method, &order,
+                        &allow_uncertified, &threads, &layers, &tetrahedralise, &pairing, &pairs,
+                        &skip_certificate, &callback))
     return NULL;
   run r;
   PyObject *result = NULL;
@@ -335,20 +343,25 @@ static PyObject *mesh(PyObject *module, PyObject *arguments) {
                                    .threads = threads,
                                    .layers = layers,
                                    .tetrahedralise = tetrahedralise == Py_None ? NULL : call_mesher,
-                                   .tetrahedralise_user = &mesher};
-    size_t quad_count = buffer_rows(&quads, 4, sizeof(int32_t));
+                                   .tetrahedralise_user = &mesher,
+                                   .pairing = (hexcon_pairing)pairing,
+                                   .pairs = pairs.buf,
+                                   .pair_count = (size_t)pairs.len / (2 * sizeof(int32_t)),
+                                   .skip_certificate = skip_certificate != 0};
     run_release(&r);
     hexcon_status status =
         hexcon_mesh_surface(r.context, points.buf, buffer_rows(&points, 3, sizeof(double)),
-                            quads.buf, quad_count, &options, &made);
+                            quads.buf, buffer_rows(&quads, 4, sizeof(int32_t)), &options, &made);
     run_acquire(&r);
     mesher_call_release(&mesher);
     if (!status)
-      result = mesh_as_dict(made, quad_count);
+      result = mesh_as_dict(made);
     hexcon_mesh_free(r.context, made);
     if (!run_end(&r, status))
       Py_CLEAR(result);
   }
+  if (pairs.obj)
+    PyBuffer_Release(&pairs);
   PyBuffer_Release(&points);
   PyBuffer_Release(&quads);
   return result;
@@ -370,8 +383,7 @@ static PyMethodDef methods[] = {
     {"raise_order", raise_order, METH_VARARGS, "raise_order(points, hexes) -> (points, hexes)"},
     {"mesh", mesh, METH_VARARGS,
      "mesh(points, quads, method, order, allow_uncertified, threads, layers, tetrahedralise, "
-     "progress)"
-     " -> dict"},
+     "pairing, pairs or None, skip_certificate, progress) -> dict"},
     {NULL, NULL, 0, NULL}};
 
 static PyModuleDef_Slot slots[] = {{0, NULL}};

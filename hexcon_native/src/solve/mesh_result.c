@@ -74,6 +74,18 @@ const double *hexcon_mesh_points(const hexcon_mesh *mesh) {
 const int32_t *hexcon_mesh_hexes(const hexcon_mesh *mesh) {
   return mesh->hexes;
 }
+size_t hexcon_mesh_quad_count(const hexcon_mesh *mesh) {
+  return mesh->quad_count;
+}
+
+bool hexcon_mesh_is_topological(const hexcon_mesh *mesh) {
+  return mesh->topological;
+}
+
+bool hexcon_mesh_is_checked(const hexcon_mesh *mesh) {
+  return mesh->checked;
+}
+
 const int32_t *hexcon_mesh_quads(const hexcon_mesh *mesh) {
   return mesh->quads;
 }

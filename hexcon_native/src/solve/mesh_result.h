@@ -15,6 +15,7 @@ struct hexcon_mesh {
   int32_t *quads;
   double *quality;
   const char *method;
+  bool topological, checked;
   double bound; /* of the worst scaled Jacobian that this topology can have on this surface */
   hexcon_certificate certificate;
   size_t figure_count;

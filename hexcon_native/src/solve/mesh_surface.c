@@ -5,8 +5,23 @@
 #include "mesh_cells.h"
 #include "mesh_result.h"
 #include "mesh_swept.h"
+#include "mesh_topological.h"
 #include "surface/half_edges.h"
 #include "verify/certificate.h"
+#include "verify/scaled_jacobian.h"
+
+static hexcon_status check_pairing_options(hexcon_context *context,
+                                           const hexcon_mesh_options *options) {
+  if ((int)options->pairing < 0 || options->pairing >= HEXCON_PAIRING_COUNT)
+    return context_fail(context, HEXCON_BAD_ARGUMENT, "there is no pairing number %d",
+                        (int)options->pairing);
+  if (options->pairing == HEXCON_PAIRING_GIVEN && options->pair_count > 0 && !options->pairs)
+    return context_fail(context, HEXCON_BAD_ARGUMENT, "the given pairs are missing");
+  if (options->pairing != HEXCON_PAIRING_ALL && !method_is_topological(options->method))
+    return context_fail(context, HEXCON_BAD_ARGUMENT,
+                        "a pairing is for the topological methods: pyramid, geode and their like");
+  return HEXCON_OK;
+}
 
 static hexcon_status check_options(hexcon_context *context, const hexcon_mesh_options *options) {
   if ((int)options->method < 0 || options->method >= HEXCON_METHOD_COUNT)
@@ -19,10 +34,11 @@ static hexcon_status check_options(hexcon_context *context, const hexcon_mesh_op
     return context_fail(context, HEXCON_BAD_ARGUMENT,
                         "layers %d and threads %d must not be negative", options->layers,
                         options->threads);
-  if (options->layers > 0 && options->method == HEXCON_METHOD_SWEPT)
+  if (options->layers > 0 && options->method != HEXCON_METHOD_AUTO &&
+      options->method != HEXCON_METHOD_CELLS)
     return context_fail(context, HEXCON_BAD_ARGUMENT,
-                        "a swept mesh has no boundary layers: choose method cells");
-  return HEXCON_OK;
+                        "only cells have boundary layers: choose method cells");
+  return check_pairing_options(context, options);
 }
 
 /** One component with an even number of quads: what any hex mesh of one body needs. */
@@ -47,15 +63,17 @@ static hexcon_status check_fillable(hexcon_context *context, const surface *s) {
   return HEXCON_OK;
 }
 
-static hexcon_status certify(hexcon_context *context, const surface *s,
-                             const hexcon_mesh_options *options, hexcon_mesh *mesh) {
+static hexcon_status certify(hexcon_context *context, const hexcon_mesh_options *options,
+                             hexcon_mesh *mesh) {
   double start = mesh_clock();
   hexcon_status status =
       certificate_make(context, mesh->points, mesh->point_count, mesh->hexes, mesh->hex_count,
-                       mesh->quads, s->quad_count, &mesh->certificate);
+                       mesh->quads, mesh->quad_count, &mesh->certificate);
   mesh_note_seconds(mesh, "certificate", start);
   const hexcon_certificate *c = &mesh->certificate;
-  if (status || c->certified || options->allow_uncertified)
+  mesh->checked = true;
+  bool good = mesh->topological ? c->conforming && c->boundary_exact : c->certified;
+  if (status || good || options->allow_uncertified)
     return status;
   for (size_t i = 0; i < c->nonpositive_count; i++)
     context_add_element(context, c->nonpositive[i]);
@@ -73,6 +91,9 @@ static hexcon_status certify(hexcon_context *context, const surface *s,
 /** Boundary layers are asked of cells only: a sweep's rings are what its surface says. */
 static hexcon_status choose_method(hexcon_context *context, const surface *s,
                                    const hexcon_mesh_options *options, hexcon_mesh *mesh) {
+  mesh->topological = method_is_topological(options->method);
+  if (mesh->topological)
+    return mesh_topological(context, s, options, mesh);
   if (options->method == HEXCON_METHOD_CELLS || options->layers > 0)
     return mesh_cells(context, s, options, mesh);
   hexcon_status status = mesh_swept(context, s, mesh);
@@ -80,6 +101,26 @@ static hexcon_status choose_method(hexcon_context *context, const surface *s,
     return status;
   context_clear(context);
   return mesh_cells(context, s, options, mesh);
+}
+
+/** Topological methods do not look at the quality on their way. */
+static hexcon_status measure(hexcon_context *context, hexcon_mesh *mesh) {
+  if (mesh->quality)
+    return HEXCON_OK;
+  mesh->quality = context_allocate(context, mesh->hex_count, sizeof *mesh->quality);
+  if (!mesh->quality)
+    return HEXCON_OUT_OF_MEMORY;
+  for (size_t h = 0; h < mesh->hex_count; h++)
+    mesh->quality[h] = scaled_jacobian(mesh->points, mesh->hexes + 8 * h);
+  return HEXCON_OK;
+}
+
+static hexcon_status check_result(hexcon_context *context, const hexcon_mesh_options *options,
+                                  hexcon_mesh *mesh) {
+  if (options->skip_certificate)
+    return HEXCON_OK;
+  hexcon_status status = measure(context, mesh);
+  return status ? status : certify(context, options, mesh);
 }
 
 static hexcon_status fill_surface(hexcon_context *context, const surface *s,
@@ -92,7 +133,7 @@ static hexcon_status fill_surface(hexcon_context *context, const surface *s,
   mesh_note(mesh, "turned outward", s->turned);
   hexcon_status status = choose_method(context, s, options, mesh);
   if (!status)
-    status = certify(context, s, options, mesh);
+    status = check_result(context, options, mesh);
   if (!status && options->order == 2) {
     double start = mesh_clock();
     status = mesh_raise_order(context, mesh);

@@ -7,6 +7,7 @@ enum { UNSEEN = 2 };
 
 typedef struct search {
   const surface *s;
+  const uint8_t *crossed; /* [4 quad_count] edges that change the colour; NULL: all */
   uint8_t *colours;
   int32_t *corner_of_point; /* [point_count] one half-edge that starts there, -1 if unused */
   int32_t *parents;         /* [point_count] breadth-first tree, -1 at roots */
@@ -39,6 +40,11 @@ static hexcon_status report_odd_cycle(hexcon_context *context, const search *f, 
   length += down;
   while (down)
     context_add_element(context, f->queue[--down]);
+  if (f->crossed)
+    return context_fail(context, HEXCON_NO_SIDES,
+                        "dual loops that are to be split together have no two sides: a closed path "
+                        "of %zu edges crosses them an odd number of times (its points listed)",
+                        length);
   return context_fail(context, HEXCON_NOT_BIPARTITE,
                       "the points cannot be coloured black and white along edges: a cycle of %zu "
                       "edges is odd (its points listed)",
@@ -54,11 +60,12 @@ static hexcon_status colour_component(hexcon_context *context, search *f, int32_
     int32_t v = f->queue[head++], start = f->corner_of_point[v], h = start;
     do {
       int32_t other = half_edge_end(f->s, h);
+      uint8_t colour = f->colours[v] ^ (!f->crossed || f->crossed[h]);
       if (f->colours[other] == UNSEEN) {
-        f->colours[other] = !f->colours[v];
+        f->colours[other] = colour;
         f->parents[other] = v;
         f->queue[tail++] = other;
-      } else if (f->colours[other] == f->colours[v]) {
+      } else if (f->colours[other] != colour) {
         return report_odd_cycle(context, f, v, other);
       }
       h = f->s->twins[half_edge_turn(h, -1)];
@@ -86,8 +93,12 @@ static hexcon_status colour_all(hexcon_context *context, search *f) {
   return HEXCON_OK;
 }
 
-hexcon_status surface_colour(hexcon_context *context, const surface *s, uint8_t *colours) {
-  search f = {s, colours, context_allocate(context, s->point_count, sizeof *f.corner_of_point),
+static hexcon_status colour(hexcon_context *context, const surface *s, const uint8_t *crossed,
+                            uint8_t *colours) {
+  search f = {s,
+              crossed,
+              colours,
+              context_allocate(context, s->point_count, sizeof *f.corner_of_point),
               context_allocate(context, s->point_count, sizeof *f.parents),
               context_allocate(context, s->point_count, sizeof *f.queue)};
   hexcon_status status =
@@ -96,4 +107,13 @@ hexcon_status surface_colour(hexcon_context *context, const surface *s, uint8_t 
   context_free(context, f.parents);
   context_free(context, f.queue);
   return status;
+}
+
+hexcon_status surface_colour(hexcon_context *context, const surface *s, uint8_t *colours) {
+  return colour(context, s, NULL, colours);
+}
+
+hexcon_status surface_sides(hexcon_context *context, const surface *s, const uint8_t *crossed,
+                            uint8_t *sides) {
+  return colour(context, s, crossed, sides);
 }

@@ -12,4 +12,15 @@
  */
 hexcon_status surface_colour(hexcon_context *context, const surface *s, uint8_t *colours);
 
+/**
+ * Tell the two sides of disjoint dual loops: a point gets another side than its neighbour exactly
+ * where the edge between them is crossed. The lowest id of each component gets 0. Linear.
+ * @param crossed  [4 * quad_count] of every half-edge, alike on twins
+ * @param sides    [point_count]; unused points get 0
+ * @return NO_SIDES with the points of a closed path that crosses the loops an odd number of times
+ *         (never on a sphere), OUT_OF_MEMORY
+ */
+hexcon_status surface_sides(hexcon_context *context, const surface *s, const uint8_t *crossed,
+                            uint8_t *sides);
+
 #endif

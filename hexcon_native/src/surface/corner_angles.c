@@ -64,10 +64,11 @@ hexcon_status surface_check_fillable(hexcon_context *context, const surface *s, 
     }
   }
   if (corners.count)
-    return context_fail(context, HEXCON_UNFILLABLE_QUAD,
-                        "%zu corners of quads have 180 degrees or more, or none (%s%s): no hex "
-                        "with a positive Jacobian can stand there; move their points or remesh",
-                        corners.count, corners.text, corners.count > 4 ? ", ..." : "");
+    return context_fail(
+        context, HEXCON_UNFILLABLE_QUAD,
+        "%zu corners of quads are of 180 degrees or more, or of none (%s%s): no hex "
+        "with a positive Jacobian can stand there; move their points or remesh",
+        corners.count, corners.text, corners.count > 4 ? ", ..." : "");
   if (shared.count)
     return context_fail(context, HEXCON_UNFILLABLE_QUAD,
                         "%zu quads share two edges with a neighbour (%s%s at the point between): "

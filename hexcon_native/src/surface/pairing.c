@@ -42,3 +42,28 @@ hexcon_status surface_pair(hexcon_context *context, const surface *s, const doub
     status = pair_improve(&p);
   return status;
 }
+
+/** Whether the quad across a half-edge lies across another one of the quad too. */
+static bool shares_more(const surface *s, int32_t half_edge) {
+  int32_t other = half_edge_quad(s->twins[half_edge]);
+  for (int turn = 1; turn < 4; turn++)
+    if (half_edge_quad(s->twins[half_edge_turn(half_edge, turn)]) == other)
+      return true;
+  return false;
+}
+
+hexcon_status surface_pair_across_single_edges(hexcon_context *context, const surface *s,
+                                               int32_t *half_edge_of_quad) {
+  surface single = *s; /* without the shared edges: there a quad is its own neighbour */
+  single.twins = context_allocate(context, 4 * s->quad_count, sizeof *single.twins);
+  if (!single.twins)
+    return HEXCON_OUT_OF_MEMORY;
+  for (int32_t h = 0; h < (int32_t)(4 * s->quad_count); h++)
+    single.twins[h] = shares_more(s, h) ? h : s->twins[h];
+  hexcon_status status = surface_pair(context, &single, NULL, half_edge_of_quad);
+  context_free(context, single.twins);
+  if (status != HEXCON_NO_PAIRING)
+    return status;
+  context_clear(context);
+  return surface_pair(context, s, NULL, half_edge_of_quad);
+}

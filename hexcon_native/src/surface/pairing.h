@@ -26,4 +26,11 @@
 hexcon_status surface_pair(hexcon_context *context, const surface *s, const double *weights,
                            int32_t *half_edge_of_quad);
 
+/**
+ * As surface_pair without weights, but only quads that share one edge are paired, wherever that is
+ * possible at all. Cost: as surface_pair, at most twice.
+ */
+hexcon_status surface_pair_across_single_edges(hexcon_context *context, const surface *s,
+                                               int32_t *half_edge_of_quad);
+
 #endif

@@ -1,0 +1,231 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+#include "mesh_topological.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "nested_mesh.h"
+#include "surface/given_pairs.h"
+#include "surface/loop_families.h"
+#include "surface/pairing.h"
+
+/** How each method goes on from the surface. */
+typedef struct recipe {
+  hexcon_method method;
+  const char *name;
+  split_kind kind;
+  hexcon_status (*close)(hexcon_context *context, const split_front *front, nested_mesh *mesh);
+} recipe;
+
+static const recipe recipes[] = {
+    {HEXCON_METHOD_FOUR_SPLIT, "four-split", SPLIT_ORIGINAL, NULL},
+    {HEXCON_METHOD_PYRAMID, "pyramid", SPLIT_ORIGINAL, nested_mesh_close_by_pyramids},
+    {HEXCON_METHOD_PYRAMID_ALT, "pyramid-alt", SPLIT_ALTERNATIVE, nested_mesh_close_by_pyramids},
+    {HEXCON_METHOD_GEODE, "geode", SPLIT_ORIGINAL, nested_mesh_close_by_geodes},
+    {HEXCON_METHOD_GEODE_ALT, "geode-alt", SPLIT_ALTERNATIVE, nested_mesh_close_by_geodes},
+};
+
+static const recipe *find_recipe(hexcon_method method) {
+  for (size_t i = 0; i < sizeof recipes / sizeof *recipes; i++)
+    if (recipes[i].method == method)
+      return &recipes[i];
+  return NULL;
+}
+
+bool method_is_topological(hexcon_method method) {
+  return find_recipe(method) != NULL;
+}
+
+/* ------------------------------------------------------------------------------------------
+ * pairing */
+
+static hexcon_status choose_pairs(hexcon_context *context, const surface *s,
+                                  const hexcon_mesh_options *options, int32_t *partner) {
+  switch (options->pairing) {
+  case HEXCON_PAIRING_ALL:
+    return surface_pair_across_single_edges(context, s, partner);
+  case HEXCON_PAIRING_GIVEN:
+    return surface_read_pairs(context, s, options->pairs, options->pair_count, partner);
+  default:
+    memset(partner, -1, s->quad_count * sizeof *partner);
+    return HEXCON_OK;
+  }
+}
+
+static size_t count_pairs(const int32_t *partner, size_t quad_count) {
+  size_t paired = 0;
+  for (size_t q = 0; q < quad_count; q++)
+    paired += partner[q] >= 0;
+  return paired / 2;
+}
+
+/** Pair, and lay the paired transition. */
+static hexcon_status pair(hexcon_context *context, const surface *s,
+                          const hexcon_mesh_options *options, nested_mesh *nested,
+                          hexcon_mesh *mesh, int32_t **quads, size_t *quad_count) {
+  double start = mesh_clock();
+  int32_t *partner = context_allocate(context, s->quad_count, sizeof *partner);
+  hexcon_status status =
+      partner ? choose_pairs(context, s, options, partner) : HEXCON_OUT_OF_MEMORY;
+  mesh_note_seconds(mesh, "pairing", start);
+  start = mesh_clock();
+  *quads = NULL;
+  if (!status) {
+    mesh_note(mesh, "pairs", (double)count_pairs(partner, s->quad_count));
+    status = nested_mesh_pair(context, s, partner, nested, quads, quad_count);
+  }
+  mesh_note(mesh, "hexes of paired transition", (double)nested->grown.hex_count);
+  mesh_note_seconds(mesh, "paired transition", start);
+  context_free(context, partner);
+  return status;
+}
+
+/* ------------------------------------------------------------------------------------- split
+ * layers */
+
+/** More layers than this are told of together. */
+enum { LAYERS_TOLD = 9 };
+
+static void note_layers(hexcon_mesh *mesh, const size_t *added, size_t count) {
+  mesh_note(mesh, "split layers", (double)count);
+  double rest = 0;
+  for (size_t layer = 0; layer < count; layer++) {
+    char name[48];
+    if (layer + 1 < LAYERS_TOLD || count == LAYERS_TOLD) {
+      (void)snprintf(name, sizeof name, "hexes of split layer %zu", layer + 1);
+      mesh_note(mesh, name, (double)added[layer]);
+    } else {
+      rest += (double)added[layer];
+    }
+  }
+  if (rest > 0)
+    mesh_note(mesh, "hexes of further split layers", rest);
+}
+
+static hexcon_status split_along(hexcon_context *context, split_front *front, split_kind kind,
+                                 const surface_loops *loops, nested_mesh *nested,
+                                 hexcon_mesh *mesh) {
+  size_t family_count = 0;
+  int32_t *families = context_allocate(context, loops->count, sizeof *families);
+  size_t *added = context_allocate(context, loops->count, sizeof *added);
+  hexcon_status status = families && added ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
+  if (!status)
+    status = surface_loop_families(context, front->s, loops, families, &family_count);
+  if (!status)
+    status = nested_mesh_split(context, front, kind, loops, families, family_count, nested, added);
+  if (!status)
+    note_layers(mesh, added, family_count);
+  context_free(context, families);
+  context_free(context, added);
+  return status;
+}
+
+static hexcon_status split(hexcon_context *context, split_front *front, split_kind kind,
+                           nested_mesh *nested, hexcon_mesh *mesh) {
+  double start = mesh_clock();
+  surface_loops loops;
+  hexcon_status status = surface_find_loops(context, front->s, &loops);
+  if (!status)
+    status = split_along(context, front, kind, &loops, nested, mesh);
+  surface_loops_free(context, &loops);
+  mesh_note_seconds(mesh, "split layers", start);
+  return status;
+}
+
+/* ------------------------------------------------------------------------------------------
+ * closure */
+
+/** The front's quads, all split in four, seen from the hexes' outside. */
+static hexcon_status append_front(hexcon_context *context, const split_front *front,
+                                  hexcon_mesh *mesh) {
+  const surface *s = front->s;
+  size_t count = mesh->quad_count + 4 * s->quad_count;
+  int32_t *quads = context_grow(context, mesh->quads, count, 4 * sizeof *quads);
+  if (!quads)
+    return HEXCON_OUT_OF_MEMORY;
+  mesh->quads = quads;
+  for (int32_t h = 0; h < (int32_t)(4 * s->quad_count); h++) {
+    size_t before = split_edge_node(front, half_edge_turn(h, -1));
+    size_t center = split_center_node(front, (size_t)half_edge_quad(h));
+    const int32_t quad[4] = {front->points[half_edge_start(s, h)], front->points[before],
+                             front->points[center], front->points[split_edge_node(front, h)]};
+    memcpy(quads + 4 * mesh->quad_count++, quad, sizeof quad);
+  }
+  return HEXCON_OK;
+}
+
+static hexcon_status close(hexcon_context *context, const recipe *r, const split_front *front,
+                           nested_mesh *nested, hexcon_mesh *mesh) {
+  double start = mesh_clock();
+  size_t before = nested->grown.hex_count;
+  hexcon_status status =
+      r->close ? r->close(context, front, nested) : append_front(context, front, mesh);
+  mesh_note(mesh, "hexes of closure", (double)(nested->grown.hex_count - before));
+  mesh_note_seconds(mesh, "closure", start);
+  return status;
+}
+
+static void hand_over(const recipe *r, nested_mesh *nested, hexcon_mesh *mesh) {
+  mesh->points = nested->points;
+  mesh->hexes = nested->grown.hexes;
+  mesh->point_count = nested->grown.point_count;
+  mesh->hex_count = nested->grown.hex_count;
+  mesh->order = 1;
+  mesh->method = r->name;
+  memset(nested, 0, sizeof *nested);
+}
+
+/** All that comes after the pairing, on the quads that it left. */
+static hexcon_status fill_inside(hexcon_context *context, const recipe *r, const int32_t *quads,
+                                 size_t quad_count, nested_mesh *nested, hexcon_mesh *mesh) {
+  double start = mesh_clock();
+  surface coarse;
+  split_front front = {0};
+  hexcon_status status =
+      surface_build(context, NULL, nested->grown.point_count, quads, quad_count, &coarse);
+  if (!status)
+    status = split_front_new(context, &coarse, &front);
+  mesh_note_seconds(mesh, "paired surface", start);
+  if (!status)
+    status = split(context, &front, r->kind, nested, mesh);
+  if (!status)
+    status = close(context, r, &front, nested, mesh);
+  split_front_free(context, &front);
+  surface_free(context, &coarse);
+  return status;
+}
+
+static hexcon_status check_closable(hexcon_context *context, const surface *s, const recipe *r) {
+  if (!r->close || s->point_count == s->quad_count + 2)
+    return HEXCON_OK;
+  return context_fail(context, HEXCON_NOT_A_BALL,
+                      "method %s fills bodies without holes only; this surface has genus %zu: "
+                      "method four-split builds the layers under it",
+                      r->name, (s->quad_count + 2 - s->point_count) / 2);
+}
+
+hexcon_status mesh_topological(hexcon_context *context, const surface *s,
+                               const hexcon_mesh_options *options, hexcon_mesh *mesh) {
+  const recipe *r = find_recipe(options->method);
+  nested_mesh nested = {0};
+  int32_t *quads = NULL;
+  size_t quad_count = 0;
+  bool star_shaped = false;
+  hexcon_status status = check_closable(context, s, r);
+  if (!status)
+    status = nested_mesh_new(context, s, &nested, &star_shaped);
+  if (!status)
+    status = pair(context, s, options, &nested, mesh, &quads, &quad_count);
+  if (!status)
+    status = fill_inside(context, r, quads, quad_count, &nested, mesh);
+  context_free(context, quads);
+  if (!status) {
+    mesh_log(mesh, "topological: conforming, but some Jacobians are zero or negative; no solver "
+                   "should take it");
+    if (!star_shaped)
+      mesh_log(mesh, "no point inside sees the whole surface: hexes may overlap");
+    hand_over(r, &nested, mesh);
+  }
+  nested_mesh_free(context, &nested);
+  return status;
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/** The paper's methods, whose meshes are topological: conforming, but no solver's. */
+#ifndef HEXCON_SOLVE_MESH_TOPOLOGICAL_H
+#define HEXCON_SOLVE_MESH_TOPOLOGICAL_H
+
+#include "mesh_result.h"
+#include "surface/half_edges.h"
+
+/** Whether a method's meshes are topological. */
+bool method_is_topological(hexcon_method method);
+
+/**
+ * Fill a checked surface of one component. Points lie in layers nested about the star centre, or,
+ * where there is none, about the mean of the points; then hexes may overlap.
+ * @param mesh  its points, hexes and method are filled, stage by stage from outside; quality is
+ *              not. four-split: the front's quads are appended to its quads. The caller frees
+ * Errors: NO_PAIRING, BAD_PAIRING, SELF_CROSSING, NO_SIDES, NOT_A_BALL, CANCELLED, OUT_OF_MEMORY,
+ * TOO_LARGE. Cost: linear in the hexes, after the pairing.
+ */
+hexcon_status mesh_topological(hexcon_context *context, const surface *s,
+                               const hexcon_mesh_options *options, hexcon_mesh *mesh);
+
+#endif

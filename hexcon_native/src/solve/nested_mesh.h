@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/** A mesh that grows inward from a surface, topology and points together. */
+#ifndef HEXCON_SOLVE_NESTED_MESH_H
+#define HEXCON_SOLVE_NESTED_MESH_H
+
+#include "construct/growing_mesh.h"
+#include "construct/split_closure.h"
+#include "surface/loops.h"
+
+typedef struct nested_mesh {
+  growing_mesh grown;
+  double *points;   /**< [grown.point_count][3] */
+  double center[3]; /**< towards which all layers go */
+} nested_mesh;
+
+/** Begin with a surface's points, around its star centre, or the mean of the points where there is
+ * none. @param star_shaped receives which. @param out free with nested_mesh_free, also after an
+ * error. Expected linear. */
+hexcon_status nested_mesh_new(hexcon_context *context, const surface *s, nested_mesh *out,
+                              bool *star_shaped);
+void nested_mesh_free(hexcon_context *context, nested_mesh *mesh);
+
+/** Lay two hexes on each pair.
+ * @param quads  receives what then is to be filled, [quad_count][4], to be freed by the caller */
+hexcon_status nested_mesh_pair(hexcon_context *context, const surface *s, const int32_t *partner,
+                               nested_mesh *mesh, int32_t **quads, size_t *quad_count);
+
+/** Lay a split layer along every family.
+ * @param added  [family_count] receives the hexes of each layer */
+hexcon_status nested_mesh_split(hexcon_context *context, split_front *front, split_kind kind,
+                                const surface_loops *loops, const int32_t *family_of_loop,
+                                size_t family_count, nested_mesh *mesh, size_t *added);
+
+/** Fill what is left by pyramids that meet in the centre. */
+hexcon_status nested_mesh_close_by_pyramids(hexcon_context *context, const split_front *front,
+                                            nested_mesh *mesh);
+
+/** Fill what is left by Geodes, and by diced tetrahedra that meet in the centre. */
+hexcon_status nested_mesh_close_by_geodes(hexcon_context *context, const split_front *front,
+                                          nested_mesh *mesh);
+
+#endif
