@@ -15,10 +15,10 @@ __all__ = ["FaultCode", "HexconError", "Mesh", "ToolError", "mesh_quad_surface",
            "mesh_surface", "solve", "to_femmesh", "write"]
 
 
-def to_femmesh(mesh, order=None):
+def to_femmesh(mesh, order=None, *, allow_topological=False):
     """FreeCAD's Fem.FemMesh of a mesh; see hexcon.femmesh.to_femmesh."""
     from .femmesh import to_femmesh as convert
-    return convert(mesh, order)
+    return convert(mesh, order, allow_topological=allow_topological)
 
 
 def write(mesh, path, **options):

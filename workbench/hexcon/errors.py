@@ -22,6 +22,7 @@ class FaultCode(enum.Enum):
     FILE_IO = "file input/output"              # missing, no permission, disk full
     FREECAD_MISSING = "FreeCAD missing"        # this call needs FreeCAD's Python modules
     BAD_TRIANGLES = "bad triangles"            # not closed, not outward, a point unused or not finite
+    TOPOLOGICAL_MESH = "topological mesh"      # topology only, asked for where a solver would take it
     BAD_MESH = "bad mesh"                      # not a hex mesh: wrong shape, index out of range
 
 

@@ -11,6 +11,7 @@ from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.convert import from_femmesh, to_femmesh
 from hexcon.femmesh.document import insert
 from hexcon.femmesh.elements import elements_of
+from hexcon.topological import is_topological, refuse_topological
 
 from . import constraints as make
 from . import frd
@@ -22,7 +23,7 @@ from .runner import find_ccx, run_ccx
 
 
 def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pressure=None,
-          order=None, workdir=None, timeout=3600, threads=None):
+          order=None, workdir=None, timeout=3600, threads=None, allow_topological=False):
     """Build an analysis in the document, run ccx, load the results into the document.
 
     mesh      a hex mesh (it is added as a mesh object), or a document object that holds
@@ -34,10 +35,12 @@ def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pres
     order     1 (C3D8), 2 (C3D20), None: the mesh's own; only for a mesh that is no object
     workdir   existing folder for the deck and ccx's files; a new temporary one if None
     timeout   seconds for ccx;  threads  None: all processors
+    allow_topological  take a mesh of topology only as well: its results mean nothing
     Returns a Result. One undo step; on any failure the document is as it was.
     Raises ToolError: FREECAD_MISSING, TOOL_MISSING, TOOL_FAILED with ccx's words,
-    TOOL_TIMEOUT, BAD_OPTION, BAD_MESH.
+    TOOL_TIMEOUT, BAD_OPTION, BAD_MESH, TOPOLOGICAL_MESH.
     """
+    refuse_topological(mesh, allow_topological)
     force, pressure = _without_zeros(force), dict(pressure or {})
     material = material_of(material)
     faces = [[make.face_name(solid, name) for name in group]
@@ -50,8 +53,10 @@ def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pres
     if not os.path.isdir(folder):
         raise ToolError(f"working folder {folder} does not exist", FaultCode.FILE_IO)
     is_object = hasattr(mesh, "FemMesh")
-    femmesh = mesh.FemMesh if is_object else to_femmesh(mesh, order)
+    femmesh = (mesh.FemMesh if is_object else
+               to_femmesh(mesh, order, allow_topological=allow_topological))
     setup = _Setup(doc, solid, mesh if is_object else None, femmesh, material)
+    setup.topological = is_topological(mesh)
     setup.fixed = faces[0]
     setup.force = dict(zip(faces[1], force.values()))
     setup.pressure = dict(zip(faces[2], pressure.values()))
@@ -79,7 +84,7 @@ class _Setup:
 
     def __init__(self, doc, solid, mesh_object, femmesh, material):
         self.doc, self.solid, self.material = doc, solid, material
-        self.mesh_object, self.femmesh = mesh_object, femmesh
+        self.mesh_object, self.femmesh, self.topological = mesh_object, femmesh, False
         self.fixed, self.force, self.pressure, self.notes = [], {}, {}, []
         self.mesh = from_femmesh(femmesh)
         self._fill_faces()
@@ -117,7 +122,8 @@ class _Setup:
         objects = freecad_compat.fem_module("ObjectsFem")
         doc = self.doc
         if self.mesh_object is None:
-            self.mesh_object = insert(doc, self.femmesh, self.solid, "HexMesh")
+            self.mesh_object = insert(doc, self.femmesh, self.solid, "HexMesh",
+                                      self.topological)
         analysis = objects.makeAnalysis(doc, "Analysis")
         solver = freecad_compat.make_ccx_solver(doc)
         card = objects.makeMaterialSolid(doc, "Material")

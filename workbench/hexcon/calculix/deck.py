@@ -9,6 +9,7 @@ from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.elements import elements_of
 from hexcon.files.abaqus import write_mesh
 from hexcon.files.text import write_list, write_rows
+from hexcon.topological import refuse_topological
 
 from .loads import face_force, force_vector
 from .material import material_of
@@ -25,7 +26,8 @@ def face_number(name):
 
 
 def static_deck(mesh, material=None, fixed=("Face1",), force=None, pressure=None, *,
-                order=None, prescribed=None, integration_points=False):
+                order=None, prescribed=None, integration_points=False,
+                allow_topological=False):
     """Text of a deck that ccx runs as it is.
 
     mesh        see elements_of; order 1 (C3D8), 2 (C3D20), None: the mesh's own
@@ -35,8 +37,10 @@ def static_deck(mesh, material=None, fixed=("Face1",), force=None, pressure=None
     pressure    {"Face3": p} in MPa, positive onto the face (*DLOAD)
     prescribed  (nodes (k,) 0-based, displacements (k,3) mm) at the given order, optional
     integration_points  print the stresses there to the .dat file
-    Raises ToolError: BAD_OPTION (no such face, nothing held), BAD_MESH.
+    allow_topological   take a mesh of topology only as well: its results mean nothing
+    Raises ToolError: BAD_OPTION (no such face, nothing held), BAD_MESH, TOPOLOGICAL_MESH.
     """
+    refuse_topological(mesh, allow_topological)
     elements = elements_of(mesh, order)
     material = material_of(material)
     if not fixed and prescribed is None:

@@ -7,6 +7,7 @@ import numpy as np
 
 from hexcon import freecad_compat
 from hexcon.errors import FaultCode, ToolError
+from hexcon.topological import refuse_topological
 
 from .elements import elements_of
 
@@ -17,15 +18,18 @@ FREECAD_HEX = [0, 3, 2, 1, 4, 7, 6, 5,
 _GROUP = re.compile(r"^Face(\d+)$")
 
 
-def to_femmesh(mesh, order=None):
+def to_femmesh(mesh, order=None, *, allow_topological=False):
     """Fem.FemMesh of a hex mesh.
 
     mesh   .points, .hexes, .quads, .face_of_quad (see elements.elements_of)
     order  1 (Hexa8, ccx C3D8), 2 (Hexa20, ccx C3D20, straight edges), None: the mesh's own
+    allow_topological  convert a mesh of topology only as well, which no solver must be given
     Node i+1 is point i; volumes are 1..H in the order of hexes; the boundary quads follow
     as faces H+1..H+n, outward. One face group per CAD face, named "Face3".
-    Raises ToolError: FREECAD_MISSING, BAD_MESH, BAD_OPTION. About 15 us per hexahedron.
+    Raises ToolError: FREECAD_MISSING, BAD_MESH, BAD_OPTION, TOPOLOGICAL_MESH. About 15 us per
+    hexahedron.
     """
+    refuse_topological(mesh, allow_topological)
     return femmesh_of_elements(elements_of(mesh, order))
 
 

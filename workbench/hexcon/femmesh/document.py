@@ -2,6 +2,7 @@
 """The hex mesh as an object of a FreeCAD document."""
 from hexcon import freecad_compat
 from hexcon.errors import FaultCode, ToolError
+from hexcon.topological import PROPERTY, is_topological
 
 from .convert import to_femmesh
 
@@ -27,29 +28,43 @@ class HexMesh:
         return None
 
 
-def add_to_document(doc, mesh, solid_object, name="HexMesh", order=None):
+def add_to_document(doc, mesh, solid_object, name="HexMesh", order=None, *,
+                    allow_topological=False):
     """A mesh object linked to its solid; it survives save and reload, groups included.
 
     doc           an App.Document, which must hold solid_object
-    mesh          see convert.to_femmesh;  order: as there
-    Returns the document object (Fem::FemMeshObjectPython). One undo step; on any error the
-    document is as it was. Raises ToolError: FREECAD_MISSING, BAD_MESH, BAD_OPTION, BAD_SHAPE.
+    mesh          see convert.to_femmesh;  order, allow_topological: as there
+    Returns the document object (Fem::FemMeshObjectPython); one of a topological mesh says so in
+    its label and in the property Topological. One undo step; on any error the document is as it
+    was. Raises ToolError: FREECAD_MISSING, BAD_MESH, BAD_OPTION, BAD_SHAPE, TOPOLOGICAL_MESH.
     """
     if solid_object is not None and not hasattr(solid_object, "Shape"):
         raise ToolError(f"{getattr(solid_object, 'Label', solid_object)!r} has no shape; "
                         "give the solid the mesh was made from", FaultCode.BAD_SHAPE)
-    femmesh = to_femmesh(mesh, order)  # may fail: before the document is touched
+    # may fail: before the document is touched
+    femmesh = to_femmesh(mesh, order, allow_topological=allow_topological)
     with freecad_compat.transaction(doc, "Hex mesh"):
-        return insert(doc, femmesh, solid_object, name)
+        return insert(doc, femmesh, solid_object, name, is_topological(mesh))
 
 
-def insert(doc, femmesh, solid_object, name):
-    """add_to_document without checks and transaction."""
+def insert(doc, femmesh, solid_object, name, topological=False):
+    """add_to_document without checks and transaction; a FemMesh cannot tell what it came from."""
     mesh_object = freecad_compat.add_mesh_object(doc, name, solid_object)
     HexMesh(mesh_object)
     mesh_object.FemMesh = femmesh
+    if topological:
+        _mark_topological(mesh_object)
     view = getattr(mesh_object, "ViewObject", None)
     if view is not None and getattr(view, "Proxy", 0) is None:
         view.Proxy = 0  # FreeCAD's own display; without this a Python object stays hidden
     mesh_object.purgeTouched()
     return mesh_object
+
+
+def _mark_topological(mesh_object):
+    """A property for programs and a label for people: both are saved with the document."""
+    mesh_object.addProperty("App::PropertyBool", PROPERTY, "HexCon",
+                            "Topology only: some Jacobians are zero or negative; not for solving")
+    setattr(mesh_object, PROPERTY, True)
+    mesh_object.setEditorMode(PROPERTY, 1)  # shown, not to be changed by a click
+    mesh_object.Label += " (topological)"

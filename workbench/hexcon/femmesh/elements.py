@@ -6,6 +6,7 @@ import numpy as np
 
 import hexcon_native
 from hexcon.errors import FaultCode, ToolError
+from hexcon.topological import is_topological
 
 from .boundary import boundary_quads, owners
 from .hexahedron import FACES_8
@@ -18,7 +19,8 @@ class Elements:
 
     points (P,3) float64, hexes (H,8|20) int64 VTK order,
     quads (n,4|8) int64 outward counter-clockwise, face_of_quad (n,) int64 1-based CAD
-    face, 0 where there is none, hex_of_quad (n,), side_of_quad (n,) rows of hexahedron.FACES
+    face, 0 where there is none, hex_of_quad (n,), side_of_quad (n,) rows of hexahedron.FACES,
+    topological: the mesh is topology only, and what is written of it should say so
     """
 
     points: np.ndarray
@@ -27,6 +29,7 @@ class Elements:
     face_of_quad: np.ndarray
     hex_of_quad: np.ndarray
     side_of_quad: np.ndarray
+    topological: bool = False
 
     @property
     def order(self):
@@ -114,4 +117,4 @@ def elements_of(mesh, order=None):
         points, hexes, _ = lower_order(points, hexes)
     corners = FACES_8 if hexes.shape[1] == 20 else FACES_8[:, :4]
     quads = hexes[hex_ids[:, None], corners[sides]]
-    return Elements(points, hexes, quads, faces, hex_ids, sides)
+    return Elements(points, hexes, quads, faces, hex_ids, sides, is_topological(mesh))

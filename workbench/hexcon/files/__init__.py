@@ -10,6 +10,7 @@ import numpy as np
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.boundary import owners
 from hexcon.femmesh.elements import elements_of
+from hexcon.topological import BY_KEYWORD, refuse_topological, refuse_topological_method
 
 from . import abaqus, freecad, gmsh, unv, vtk
 from .through_meshio import read_meshio
@@ -21,7 +22,12 @@ READERS = {".inp": abaqus.read, ".unv": unv.read, ".med": freecad.read_med,
            ".msh": read_meshio, ".vtu": read_meshio, ".vtk": read_meshio,
            ".mesh": read_meshio}
 
-__all__ = ["READERS", "WRITERS", "read_hexes", "read_mesh", "write"]
+# What a solver takes as it is: a deck with a material, a document with a FEM mesh object. The other
+# formats, .med among them, hold a bare mesh, which to look at is what topology is for.
+SOLVER_ENDINGS = (".inp", ".fcstd")
+
+__all__ = ["READERS", "SOLVER_ENDINGS", "WRITERS", "check_method_for", "read_hexes", "read_mesh",
+           "write"]
 
 
 def _by_ending(path, table, verb):
@@ -33,19 +39,34 @@ def _by_ending(path, table, verb):
     return table[ending]
 
 
-def write(mesh, path, *, order=None, **options):
+def _is_for_solvers(path):
+    return os.path.splitext(path)[1].lower() in SOLVER_ENDINGS
+
+
+def check_method_for(paths, method, allow_topological=False, override=BY_KEYWORD):
+    """Raise the TOPOLOGICAL_MESH that write would raise for a mesh of this method: for callers
+    with work to do before. override: how it can be allowed, for the words."""
+    if any(map(_is_for_solvers, paths)):
+        refuse_topological_method(method, allow_topological, override)
+
+
+def write(mesh, path, *, order=None, allow_topological=False, **options):
     """Write a hex mesh; the ending of path decides the format.
 
     mesh     .points, .hexes, .quads, .face_of_quad (see femmesh.elements.elements_of)
     order    1, 2 or None for the mesh's own
+    allow_topological  write a mesh of topology only even to .inp and .FCStd, which solvers take;
+             the file says that it is topological. The other formats, .med too, take it without
     options  .vtu and .vtk: point_data, cell_data (dicts of arrays); .FCStd: solid, a shape or a
              path; the default is mesh.solid, where mesh_solid has put it
     The file is written beside its place and then put there: never a partial file.
     Raises ToolError: FILE_FORMAT (ending), FILE_IO (no permission, disk full, no folder),
-    FREECAD_MISSING, BAD_MESH, BAD_OPTION.
+    FREECAD_MISSING, BAD_MESH, BAD_OPTION, TOPOLOGICAL_MESH.
     """
     path = os.fspath(path)
     writer = _by_ending(path, WRITERS, "write")
+    if _is_for_solvers(path):
+        refuse_topological(mesh, allow_topological)
     unknown = set(options) - set(inspect.signature(writer).parameters)
     if unknown:
         raise ToolError(f"{', '.join(sorted(unknown))} cannot be put into {path}",

@@ -27,8 +27,12 @@ def _field(value):
 def write_mesh(stream, elements):
     """*NODE, *ELEMENT, one *NSET and one *SURFACE per CAD face.
 
-    Names: NALL, EALL, FACE3_NODES, FACE3. Node and element numbers are rows + 1.
+    Names: NALL, EALL, FACE3_NODES, FACE3. Node and element numbers are rows + 1. A comment says
+    so where the mesh is topological.
     """
+    if elements.topological:
+        stream.write("** TOPOLOGICAL: topology only, some Jacobians are zero or negative; not for "
+                     "solving\n")
     stream.write("*NODE, NSET=NALL\n")
     text = np.array([_field(x) for x in elements.points.ravel().tolist()], object)
     write_numbered(stream, "%d, %s, %s, %s\n", text.reshape(-1, 3))

@@ -29,7 +29,7 @@ def write_fcstd(path, elements, solid=None, name="HexMesh"):
         if solid is not None:
             solid_object = doc.addObject("Part::Feature", "Solid")
             solid_object.Shape = _shape(solid)
-        insert(doc, femmesh, solid_object, name)
+        insert(doc, femmesh, solid_object, name, elements.topological)
         doc.recompute()
         doc.saveCopy(path)
     finally:
