@@ -2,7 +2,8 @@
 """Hex meshes for a folder of parts, in FreeCADCmd:
 
     freecadcmd mesh_folder.py -- FOLDER --size 4 [--out DIR] [--write .inp] [--write .FCStd]
-                                 [--order 2] [--surface-method sweep]
+                                 [--order 2] [--surface-method sweep] [--method cells]
+                                 [--allow-topological]
 
 One line a part, a summary; exit status 0 if every part was meshed, 1 if one failed, 2 for wrong
 usage. What follows `--` is for this script (FreeCAD refuses dashes before it).

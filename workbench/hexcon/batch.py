@@ -9,11 +9,13 @@ import traceback
 from hexcon_native import METHODS, check_options
 
 from .chatter import chatter_to
-from .cli.commands import SOLID_ENDINGS
+from .cli.arguments import PAIRINGS
+from .cli.commands import SOLID_ENDINGS, pairing_option
 from .errors import FaultCode, HexconError, ToolError
-from .files import WRITERS, write
+from .files import WRITERS, check_method_for, write
 from .meshing import mesh_solid
 from .quads import METHODS as SURFACE_METHODS
+from .topological import BY_OPTION, is_topological
 
 EXIT_DONE, EXIT_SOME_FAILED, EXIT_USAGE = 0, 1, 2
 
@@ -34,9 +36,10 @@ def results_of(parts, out, endings):
              for ending in endings] for name, stem in zip(names, stems)]
 
 
-def mesh_part(path, results, size, **options):
+def mesh_part(path, results, size, *, allow_topological=False, **options):
     """Mesh one part and write it to each of results; returns (done, the line that tells of it).
 
+    allow_topological: as files.write; options: as meshing.mesh_solid.
     Any exception but an interrupt becomes a line: a batch goes on.
     """
     name = os.path.basename(path)
@@ -48,16 +51,27 @@ def mesh_part(path, results, size, **options):
         with chatter_to():
             mesh = mesh_solid(path, size, **options)
             for result in results:
-                write(mesh, result)
+                write(mesh, result, allow_topological=allow_topological)
     except HexconError as fault:
         return False, f"FAILED {name}: {' '.join(str(fault).split())} [{fault.code.name}]"
     except Exception as fault:  # a defect of ours must not cost the other parts
         traceback.print_exc()
         return False, f"FAILED {name}: {type(fault).__name__}: {' '.join(str(fault).split())}"
-    proof = "certified" if mesh.certificate.certified else "NOT certified"
     return True, (f"ok     {name}: {len(mesh.hexes)} hexes, {mesh.method}, {mesh.surface.method} "
-                  f"surface, scaled Jacobian min {mesh.quality.min:.3f} mean {mesh.quality.mean:.3f}, {proof}, "
-                  f"{time.monotonic() - started:.1f} s")
+                  f"surface, {_worth(mesh)}, {time.monotonic() - started:.1f} s")
+
+
+def _worth(mesh):
+    """Quality and proof in words, of a mesh that may not have been checked."""
+    if is_topological(mesh):
+        proof = "topological (not for solving)"
+    elif mesh.certificate is None:
+        proof = "not checked"
+    else:
+        proof = "certified" if mesh.certificate.certified else "NOT certified"
+    if mesh.quality is None:
+        return f"scaled Jacobian not checked, {proof}"
+    return f"scaled Jacobian min {mesh.quality.min:.3f} mean {mesh.quality.mean:.3f}, {proof}"
 
 
 def mesh_folder(folder, out, size, endings=(".inp",), tell=print, **options):
@@ -65,7 +79,7 @@ def mesh_folder(folder, out, size, endings=(".inp",), tell=print, **options):
 
     endings  formats to write, of files.WRITERS
     tell     called with each line
-    options  as meshing.mesh_solid
+    options  as mesh_part
     Raises ToolError(FILE_IO) where the folder of results cannot be made.
     """
     try:
@@ -97,6 +111,10 @@ def _parser():
     parser.add_argument("--method", choices=list(METHODS), default="auto")
     parser.add_argument("--layers", type=int, default=0,
                         help="cells: at least so many layers of plain hexes under the surface")
+    parser.add_argument("--pairing", choices=PAIRINGS, default=PAIRINGS[0],
+                        help="topological methods: which quads are paired")
+    parser.add_argument("--allow-topological", action="store_true",
+                        help="write a mesh of topology only even to .inp and .FCStd")
     return parser
 
 
@@ -107,12 +125,17 @@ def main(arguments=None):
         print(f"mesh_folder: there is no folder {options.folder}", file=sys.stderr)
         return EXIT_USAGE
     try:
+        endings = tuple(options.write or (".inp",))
         check_options(options.method, order=options.order, layers=options.layers)
+        # the name is no part's: what counts are the endings
+        check_method_for([f"x{ending}" for ending in endings], options.method,
+                         options.allow_topological, BY_OPTION)
         done, failed = mesh_folder(
             options.folder, options.out or os.path.join(options.folder, "hexcon"), options.size,
-            tuple(options.write or (".inp",)), lambda line: print(line, flush=True),
+            endings, lambda line: print(line, flush=True),
             order=options.order, surface_method=options.surface_method, method=options.method,
-            layers=options.layers)
+            layers=options.layers, allow_topological=options.allow_topological,
+            **pairing_option(options.pairing))
     except HexconError as fault:
         print(f"mesh_folder: {fault}", file=sys.stderr)
         return EXIT_USAGE

@@ -8,6 +8,7 @@ import hexcon_native
 from ..quads import METHODS as SURFACE_METHODS
 from . import commands
 
+PAIRINGS = ("all", "fewest", "none")
 _EXIT = ("exit status: 0 done; 1 a fault, its words on standard error; 2 wrong usage; 3 check: not "
          "certified; 130 interrupted")
 
@@ -44,10 +45,16 @@ def _add_meshing(command):
                          help="how the surface is filled with hexes")
     command.add_argument("--layers", type=int, default=0, metavar="K",
                          help="cells: at least K layers of plain hexes under the surface")
+    command.add_argument("--pairing", choices=PAIRINGS, default=PAIRINGS[0],
+                         help="topological methods: pair all quads, as few as will do, or "
+                              "none (default all)")
     command.add_argument("--order", type=int, choices=(1, 2), default=1,
                          help="2: mid-edge nodes (C3D20)")
     command.add_argument("--allow-uncertified", action="store_true",
                          help="write the best mesh found even if its certificate fails")
+    command.add_argument("--allow-topological", action="store_true",
+                         help="give a mesh of topology only to a solver all the same: .inp, "
+                              ".FCStd, solve")
     command.add_argument("--timeout", type=float, default=120.0, metavar="S",
                          help="seconds for gmsh (default 120)")
 

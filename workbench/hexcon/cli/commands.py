@@ -10,10 +10,11 @@ from ..calculix import solve_inp, static_deck
 from ..calculix.deck import face_number
 from ..errors import FaultCode, ToolError
 from ..femmesh.hexahedron import EDGES
-from ..files import WRITERS, read_mesh, write
+from ..files import WRITERS, check_method_for, read_mesh, write
 from ..meshing import mesh_quad_surface, mesh_solid
 from ..quads import surface_from_file
 from ..quads.solids import CAD_ENDINGS
+from ..topological import BY_OPTION, MEANING, is_topological, refuse_topological_method
 
 SOLID_ENDINGS = (*CAD_ENDINGS, ".fcstd")
 
@@ -23,6 +24,8 @@ def _ending(path):
 
 
 def _certificate_line(certificate, order=1):
+    if certificate is None:
+        return "certificate   not checked"
     if certificate.certified:
         straight = " (edges are straight: the proof holds for order 2 as well)" if order == 2 else ""
         return f"certificate   every Jacobian proved positive, proper, boundary exact{straight}"
@@ -32,14 +35,22 @@ def _certificate_line(certificate, order=1):
 
 
 def _quality_line(quality):
+    if quality is None:
+        return "quality       not checked"
     return (f"quality       scaled Jacobian min {quality.min:.4f}, 5 % {quality.q05:.4f}, mean "
             f"{quality.mean:.4f}")
+
+
+def pairing_option(pairing):
+    """The keyword for the core: none for the default, as only topological methods take it."""
+    return {} if pairing == "all" else {"pairing": pairing}
 
 
 def _mesh_input(options):
     """Mesh of the input, solid or surface."""
     kept = {"method": options.method, "order": options.order, "layers": options.layers,
-            "timeout": options.timeout, "allow_uncertified": options.allow_uncertified}
+            "timeout": options.timeout, "allow_uncertified": options.allow_uncertified,
+            **pairing_option(options.pairing)}
     if _ending(options.input) in SOLID_ENDINGS:
         if options.size is None:
             raise ToolError("a solid needs --size, the wanted edge length in mm",
@@ -52,8 +63,14 @@ def _mesh_input(options):
 def _facts(mesh):
     return {"method": mesh.method, "order": mesh.order, "points": len(mesh.points),
             "hexes": len(mesh.hexes), "quads": len(mesh.quads),
-            "quality": mesh.quality.as_dict(), "certificate": mesh.certificate.as_dict(),
+            "topological": is_topological(mesh), "quality": _as_dict(mesh.quality),
+            "certificate": _as_dict(mesh.certificate),
             "report": {k: v for k, v in mesh.report.items()}}
+
+
+def _as_dict(found):
+    """Plain numbers of a Quality or Certificate; None of what was not checked."""
+    return None if found is None else found.as_dict()
 
 
 def _made_of(mesh):
@@ -61,6 +78,8 @@ def _made_of(mesh):
     told = mesh.report
     if mesh.method == "swept":
         return f"{told['cap quads']:.0f} cap quads x {told['rings']:.0f} rings"
+    if is_topological(mesh):
+        return f"{len(mesh.hexes) / len(mesh.quads):.1f} hexes a quad"
     return (f"{told['layers']:.0f} layers, {told['pairs']:.0f} pairs of quads, "
             f"{told['tetrahedra']:.0f} tetrahedra; {told['hexes per quad']:.1f} hexes a quad")
 
@@ -72,6 +91,8 @@ def _mesh_lines(mesh):
               f"{mesh.order}, method {mesh.method}: {_made_of(mesh)}",
               *(f"tried         {line}" for line in mesh.report["log"]),
               _quality_line(mesh.quality), _certificate_line(mesh.certificate, mesh.order)]
+    if is_topological(mesh):
+        lines.append(f"topological   {MEANING}")
     return lines
 
 
@@ -91,9 +112,10 @@ def _check_outputs(options, known):
 def mesh(options):
     """hexcon mesh IN -o OUT"""
     _check_outputs(options, WRITERS)
+    check_method_for(options.output, options.method, options.allow_topological, BY_OPTION)
     made = _mesh_input(options)
     for path in options.output:
-        write(made, path)
+        write(made, path, allow_topological=options.allow_topological)
     return (dict(_facts(made), written=options.output),
             [*_mesh_lines(made), *(f"written       {path}" for path in options.output)])
 
@@ -186,14 +208,36 @@ def _by_face(loads):
     return by_face
 
 
+def _mesh_to_solve(options, is_solid):
+    """The mesh made or read, fit to be solved.
+
+    A file does not keep the mark of a topological mesh, and CalculiX may solve one in silence: so
+    a hex that is not proved positive is refused, whoever made it.
+    """
+    if is_solid:
+        refuse_topological_method(options.method, options.allow_topological, BY_OPTION)
+        return _mesh_input(options)
+    read = read_mesh(options.input)
+    if options.allow_topological or options.allow_uncertified:
+        return read
+    bad = hexcon_native.certify(read.points, read.hexes, read.quads).nonpositive
+    if len(bad):
+        raise ToolError(f"{len(bad)} hexes of {options.input} (listed) have Jacobians that are not "
+                        "proved positive, so CalculiX must not be given it (`hexcon check` tells "
+                        "more); repair it, mesh again by method cells, or give "
+                        "--allow-uncertified to solve it anyway", FaultCode.BAD_MESH, bad)
+    return read
+
+
 def solve(options):
     """hexcon solve IN --fixed FaceN --force FaceN=fx,fy,fz"""
     _check_outputs(options, {".vtu", ".vtk", ".png"})
     force, pressure = _by_face(options.force), _by_face(options.pressure)
     is_solid = _ending(options.input) in SOLID_ENDINGS
-    made = _mesh_input(options) if is_solid else read_mesh(options.input)
+    made = _mesh_to_solve(options, is_solid)
     deck = static_deck(made, {"young": options.young, "poisson": options.poisson},
-                       options.fixed, force, pressure)
+                       options.fixed, force, pressure,
+                       allow_topological=options.allow_topological)
     result = solve_inp(deck, timeout=options.ccx_timeout)
     displacements = np.zeros((len(made.points), 3))
     displacements[result.node_ids - 1] = result.displacements
@@ -202,6 +246,7 @@ def solve(options):
     for path in options.output:
         _write_result(made, path, displacements, stress)
     facts = {"hexes": len(made.hexes), "points": len(made.points), "order": made.order,
+             "topological": is_topological(made),
              "max_displacement": result.max_displacement,
              "max_von_mises": float(stress.max()), "written": options.output}
     lines = [f"solved        {len(made.hexes)} hexes, {len(made.points)} points, order "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From a quad surface, or from a solid, to a certified hex mesh."""
+"""From a quad surface, or from a solid, to a hex mesh: certified, or of topology only."""
 import time
 
 import hexcon_native
@@ -8,6 +8,7 @@ from hexcon_native import ErrorCode, HexconError
 from ..errors import ToolError
 from ..quads import surface_from_solid
 from ..tetrahedra import tetrahedralise
+from ..topological import is_topological
 
 _ABOUT_THE_SURFACE = (ErrorCode.NOT_SWEPT, ErrorCode.NOT_STAR_SHAPED, ErrorCode.UNFILLABLE_QUAD,
                       ErrorCode.NOT_BIPARTITE, ErrorCode.NOT_CERTIFIED)
@@ -22,6 +23,8 @@ __all__ = ["mesh_quad_surface", "mesh_solid", "mesh_surface"]
 def mesh_surface(points, quads, method="auto", *, timeout=120.0, progress=None, **options):
     """Fill a quad surface; arguments, result and errors as hexcon_native.mesh.
 
+    The mesh of a topological method says so in report["topological"]; with certify=False its
+    certificate and quality are None.
     Where cells need tetrahedra inside, gmsh is asked for them (timeout: seconds for each call), as
     long as it is there; report["gmsh"] lists what it said where it found none.
     """
@@ -30,6 +33,7 @@ def mesh_surface(points, quads, method="auto", *, timeout=120.0, progress=None, 
                               tetrahedralise=_gmsh_tetrahedra(timeout, progress, said), **options)
     if said:
         mesh.report["gmsh"] = said
+    mesh.report["topological"] = is_topological(mesh)
     return mesh
 
 
@@ -72,7 +76,7 @@ def mesh_quad_surface(surface, method="auto", **options):
 
 def mesh_solid(shape_or_file, size, *, surface_method="auto", method="auto", timeout=120.0,
                progress=None, **options):
-    """A certified hex mesh of one solid.
+    """A hex mesh of one solid: certified, but for the topological methods and allow_uncertified.
 
     shape_or_file   a FreeCAD Part.Shape, or the path of a .step .stp .brep .brp .FCStd file
     size            wanted edge length, in the unit of the shape (mm)
@@ -80,7 +84,8 @@ def mesh_solid(shape_or_file, size, *, surface_method="auto", method="auto", tim
     method          how the surface is filled: hexcon_native.METHODS
     timeout         seconds for gmsh
     progress        callable (stage, fraction); returning False or raising cancels
-    options         order, layers, threads, allow_uncertified: as hexcon_native.mesh
+    options         order, layers, threads, allow_uncertified, and for the topological methods
+                    pairing and certify: as hexcon_native.mesh
     Returns a Mesh with more attributes: .surface (quads.QuadSurface), .face_of_quad ((n,) int64,
     1-based CAD face of each boundary quad) and .solid (shape_or_file).
     Raises HexconError: those of quads.surface_from_solid and hexcon_native.mesh.
