@@ -5,8 +5,8 @@ import os
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
-from session import (OUT, button, close_panel, find, gmsh_runs, held_at, is_idle, mesh,
-                     open_panel, picture, run, say, select, settle, wait, words)
+from session import (OUT, button, called_topological, close_panel, find, gmsh_runs, held_at,
+                     is_idle, mesh, open_panel, picture, run, say, select, settle, wait, words)
 
 state = {}
 
@@ -232,6 +232,57 @@ def the_method_is_chosen():
     state["doc"].removeObject(solid.Name)
 
 
+def topology_only_needs_a_tick():
+    from hexcon_native import METHODS, TOPOLOGICAL_METHODS
+    doc, before = state["doc"], untouched()
+    select(doc.Box)
+    open_panel("HexCon_MeshSolid")
+    box, tick = find(QtGui.QComboBox, "method"), find(QtGui.QCheckBox, "allow_topological")
+    listed = {box.itemData(row): "(topology only)" in box.itemText(row)
+              for row in range(box.count())}
+    assert {method for method in listed if listed[method]} == TOPOLOGICAL_METHODS
+    assert set(listed) == set(METHODS) and sorted(listed.values()) == list(listed.values())
+    assert not tick.isVisible()
+    mesh(5.0, method="pyramid")
+    assert tick.isVisible() and not find(QtGui.QSpinBox, "layers").isEnabled()
+    wait(is_idle, "the method to be refused")
+    picture("panel_topology_refused.png")
+    say(words())
+    for expected in ("No mesh: ", "topology only", "zero or negative", "CalculiX", tick.text()):
+        assert expected in words(), expected
+    assert before == untouched()
+    box.setCurrentIndex(box.findData("cells"))
+    assert not tick.isVisible()
+    close_panel()
+
+
+def the_tick_makes_a_marked_object():
+    doc = state["doc"]
+    select(doc.Box)
+    start_macro("topological")
+    open_panel("HexCon_MeshSolid")
+    box, tick = find(QtGui.QComboBox, "method"), find(QtGui.QCheckBox, "allow_topological")
+    box.setCurrentIndex(box.findData("geode"))
+    tick.click()
+    with called_topological():
+        mesh(5.0, method="geode")
+        wait(is_idle, "the box to be meshed")
+    stop_macro()
+    picture("panel_topology.png")
+    say(words())
+    assert "Topological: topology only" in words() and "Method: geode" in words()
+    (made,) = meshes()
+    assert made.Topological and made.Label.endswith(" (topological)")
+    with open(os.path.join(OUT, "topological.FCMacro"), encoding="utf-8") as stream:
+        assert "method='geode', layers=0, order=1, allow_topological=True)" in stream.read()
+    box.setCurrentIndex(box.findData("auto"))
+    assert not tick.isVisible() and not tick.isChecked()
+    close_panel()
+    assert "Topological: topology only" in check(made)
+    doc.undo()
+    assert not meshes()
+
+
 def cancel_stops_the_tetrahedra():
     solid = ball()
     before = untouched()
@@ -384,6 +435,6 @@ run(workbench_has_its_commands, commands_know_the_selection, box_becomes_a_mesh,
     the_macro_does_it_again, cancel_stops_gmsh,
     cancel_half_way_leaves_the_document_untouched, a_changed_solid_is_noticed,
     failure_is_told_in_words, a_ball_is_filled_with_cells, the_method_is_chosen,
-    cancel_stops_the_tetrahedra, second_order_mesh_is_checked, bad_hexes_are_marked,
+    topology_only_needs_a_tick, the_tick_makes_a_marked_object, cancel_stops_the_tetrahedra, second_order_mesh_is_checked, bad_hexes_are_marked,
     nothing_more_is_claimed_than_proved, a_body_is_meshed_as_a_whole,
     saved_and_reloaded, the_panel_ends_with_its_document)

@@ -19,6 +19,7 @@ from hexcon.femmesh import elements_of, from_femmesh, to_femmesh
 from hexcon.femmesh.document import insert
 from hexcon.femmesh.hexahedron import EDGES
 from hexcon.meshing import mesh_solid
+from hexcon.topological import is_topological, refuse_topological_method
 
 from . import words
 
@@ -64,7 +65,7 @@ def default_size(shape):
 
 
 def mesh_solid_object(solid_object, size, *, surface_method="auto", method="auto", layers=0,
-                      order=1, timeout=TIMEOUT):
+                      order=1, timeout=TIMEOUT, allow_topological=False):
     """Mesh the one solid of a document object with hexes; returns the new FEM mesh object.
 
     solid_object    a document object whose Shape holds exactly one solid
@@ -74,21 +75,25 @@ def mesh_solid_object(solid_object, size, *, surface_method="auto", method="auto
     layers          cells: at least so many layers of plain hexes under the surface
     order           1 (C3D8) or 2 (C3D20)
     timeout         seconds for gmsh
+    allow_topological  make the object even by a method of topology only; it is marked as such
     One undo step; the solid is hidden, as the mesh covers it. Raises HexconError, the document
     untouched: those of hexcon.meshing.mesh_solid and femmesh.add_to_document.
     """
+    refuse_topological_method(method, allow_topological)  # before the work, not after it
     mesh = _prepared.pop("result", None) or mesh_solid(
         solid_shape(solid_object), size, surface_method=surface_method, method=method,
         layers=layers, order=order, timeout=timeout)
-    return insert_mesh(mesh, solid_object)
+    return insert_mesh(mesh, solid_object, allow_topological=allow_topological)
 
 
-def insert_mesh(mesh, solid_object):
+def insert_mesh(mesh, solid_object, *, allow_topological=False):
     """femmesh.add_to_document, and the solid hidden in the same undo step."""
     document = solid_object.Document
-    femmesh = to_femmesh(mesh)  # may fail: before the document is touched
+    # may fail: before the document is touched
+    femmesh = to_femmesh(mesh, allow_topological=allow_topological)
     with freecad_compat.transaction(document, "Hex mesh"):
-        mesh_object = insert(document, femmesh, solid_object, "HexMesh")
+        mesh_object = insert(document, femmesh, solid_object, "HexMesh",
+                             is_topological(mesh))
         if getattr(solid_object, "ViewObject", None) is not None:
             solid_object.ViewObject.Visibility = False
     return mesh_object
@@ -107,6 +112,7 @@ class CheckReport:
     surface_known    the boundary was compared with the quads kept in the mesh's face groups
     straight         every middle node is the middle of its edge (True at order 1): the
                      certificate holds for the elements as they are
+    topological      the object says that it holds topology only
     """
 
     counts: SimpleNamespace
@@ -115,6 +121,7 @@ class CheckReport:
     nonpositive: list
     surface_known: bool
     straight: bool
+    topological: bool = False
 
     def __str__(self):
         return words.as_text(words.of_check(self))
@@ -130,8 +137,10 @@ def check_mesh_object(mesh_object):
 
 
 def read_mesh_object(mesh_object):
-    """The arrays of a FEM mesh object, for check_mesh. See femmesh.from_femmesh."""
-    return from_femmesh(mesh_object.FemMesh)
+    """The arrays of a FEM mesh object, and its mark, for check_mesh. See femmesh.from_femmesh."""
+    found = from_femmesh(mesh_object.FemMesh)
+    found.topological = is_topological(mesh_object)
+    return found
 
 
 def check_mesh(found, progress=None):
@@ -146,7 +155,8 @@ def check_mesh(found, progress=None):
         SimpleNamespace(points=len(found.points), hexes=len(found.hexes), quads=len(own.quads),
                         order=found.order),
         certificate, hexcon_native.quality(found.points, found.hexes),
-        np.asarray(found.hex_ids)[certificate.nonpositive].tolist(), known, _is_straight(found))
+        np.asarray(found.hex_ids)[certificate.nonpositive].tolist(), known, _is_straight(found),
+        is_topological(found))
 
 
 def _is_straight(found):

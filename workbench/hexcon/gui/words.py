@@ -4,6 +4,8 @@ from html import escape
 
 import FreeCAD
 
+from hexcon.topological import is_topological
+
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -60,6 +62,7 @@ def of_mesh(mesh):
                  quads=count(len(mesh.quads)), method=report.get("surface method", "given"))),
             *_size(len(mesh.hexes), mesh.order, len(mesh.points))]
     rows.append((translate("HexCon", "Method"), _made(mesh)))
+    rows += _warning(is_topological(mesh))
     rows += _worth(mesh.quality, mesh.certificate)
     rows += [(translate("HexCon", "Note"), note) for note in report.get("surface notes", ())]
     rows += [(translate("HexCon", "Tried"), line) for line in report["log"]]
@@ -73,11 +76,22 @@ def _made(mesh):
     if mesh.method == "swept":
         made = translate("HexCon", "swept, {cap} cap quads \u00d7 {rings} rings").format(
             cap=count(report["cap quads"]), rings=count(report["rings"]))
+    elif is_topological(mesh):
+        made = mesh.method
     else:
         made = translate("HexCon", "cells, {layers} layers, {tetrahedra} tetrahedra inside").format(
             layers=count(report["layers"]), tetrahedra=count(report["tetrahedra"]))
     return made + translate("HexCon", "; {number:.1f} hexes a quad").format(
         number=len(mesh.hexes) / len(mesh.quads))
+
+
+def _warning(topological):
+    """What a mesh of topology only is not good for; nothing of other meshes."""
+    if not topological:
+        return []
+    return [(translate("HexCon", "Topological"), translate(
+        "HexCon", "topology only: the hexes meet face to face and end in exactly the quads, but "
+        "some of their Jacobians are zero or negative. Not for solving"))]
 
 
 def _size(hexes, order, nodes):
@@ -92,6 +106,7 @@ def of_check(report):
     rows = [*_size(counts.hexes, counts.order, counts.points),
             (translate("HexCon", "Boundary"),
              translate("HexCon", "{quads} quads").format(quads=count(counts.quads))),
+            *_warning(report.topological),
             *_worth(report.quality, report.certificate, report.surface_known, report.straight)]
     if not report.surface_known:
         rows.append((translate("HexCon", "Note"), translate(
@@ -114,16 +129,23 @@ def _listed(ids):
 
 
 def _worth(quality, certificate, surface_known=True, straight=True):
-    return [(translate("HexCon", "Scaled Jacobian"),
-             # figures stay beside their names where the panel breaks the line
-             translate("HexCon", "min\u00a0{min:.3f}, 5\u00a0%\u00a0{q05:.3f}, "
-                       "mean\u00a0{mean:.3f}").format(
-                 min=quality.min, q05=quality.q05, mean=quality.mean)),
+    return [(translate("HexCon", "Scaled Jacobian"), _quality(quality)),
             (translate("HexCon", "Certificate"),
              _certificate(certificate, surface_known, straight))]
 
 
+def _quality(quality):
+    if quality is None:
+        return translate("HexCon", "not checked")
+    # figures stay beside their names where the panel breaks the line
+    return translate("HexCon", "min\u00a0{min:.3f}, 5\u00a0%\u00a0{q05:.3f}, "
+                     "mean\u00a0{mean:.3f}").format(
+        min=quality.min, q05=quality.q05, mean=quality.mean)
+
+
 def _certificate(certificate, surface_known, straight):
+    if certificate is None:
+        return translate("HexCon", "not checked")
     if certificate.certified:
         proofs = [translate("HexCon", "every Jacobian is proved positive") if straight else
                   translate("HexCon", "every Jacobian would be positive with straight edges"),
