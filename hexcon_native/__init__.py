@@ -24,7 +24,7 @@ ErrorCode = enum.IntEnum("ErrorCode", _core.status_codes())
 ErrorCode.__doc__ = "One member per fault of the core; include/hexcon.h says what each means."
 
 METHODS = {"auto": 0, "swept": 1, "cells": 2, "four-split": 3, "pyramid": 4, "pyramid-alt": 5, "geode": 6,
-           "geode-alt": 7}
+           "geode-alt": 7, "pillowed": 8}
 
 TOPOLOGICAL_METHODS = frozenset(list(METHODS)[3:])
 """Methods whose meshes are conforming, but have Jacobians of zero or below: for no solver."""
@@ -356,7 +356,7 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
                        hexes; "auto": swept where the surface is a sweep's, else cells.
                        The TOPOLOGICAL_METHODS are those of Carbonera and Shepherd (2006), for n
                        quads of genus 0: "pyramid" 76 n hexes, "pyramid-alt" 58 n, "geode" 130 n,
-                       "geode-alt" 112 n; and of any genus "four-split" 28 n, layers under the
+                       "geode-alt" 112 n, "pillowed" 139 n without doublets; and of any genus "four-split" 28 n, layers under the
                        surface down to quads that are all split in four
     order              1, or 2 for mid-edge points on straight edges
     layers             cells: at least so many layers of plain hexes under the surface, before any

@@ -290,6 +290,8 @@ typedef enum hexcon_method {
   HEXCON_METHOD_PYRAMID_ALT, /**< 58 n, by Mitchell's split layers */
   HEXCON_METHOD_GEODE,       /**< 130 n */
   HEXCON_METHOD_GEODE_ALT,   /**< 112 n */
+  HEXCON_METHOD_PILLOWED,    /**< 139 n: geode-alt without doublets; proper, if the surface's quads
+                                  meet properly themselves */
   HEXCON_METHOD_COUNT
 } hexcon_method;
 

@@ -5,7 +5,7 @@
  * counter-clockwise from inside, and so its hexes are positive as they are written there. */
 static const unsigned char pair_hexes[2][8] = {{0, 1, 4, 3, 7, 6, 9, 8}, {1, 2, 5, 4, 6, 7, 8, 9}};
 
-/** The cell of six, counter-clockwise from outside. */
+/** The cell of six, counter-clockwise from outside; even ones lie before the first hex. */
 static const unsigned char pair_quads[6][4] = {{7, 6, 1, 0}, {7, 2, 1, 6}, {3, 8, 7, 0},
                                                {8, 5, 2, 7}, {4, 9, 8, 3}, {9, 4, 5, 8}};
 
@@ -57,7 +57,7 @@ static void write_pair(const surface *s, int32_t shared, size_t pair, growing_me
       continue;
     for (size_t i = 0; i < 4; i++)
       row[i] = points[pair_quads[quad][i]];
-    out->quad_count++;
+    out->hexes[out->quad_count++] = (int32_t)(mesh->hex_count - 2 + quad % 2);
   }
 }
 
@@ -68,8 +68,10 @@ static void write_all(const surface *s, const int32_t *partner, growing_mesh *me
     if (partner[q] >= 0 && half_edge_quad(s->twins[partner[q]]) > (int32_t)q)
       write_pair(s, partner[q], pair++, mesh, out);
   for (size_t q = 0; q < s->quad_count; q++)
-    if (partner[q] < 0)
+    if (partner[q] < 0) {
+      out->hexes[out->quad_count] = -1;
       memcpy(out->quads + 4 * out->quad_count++, s->quads + 4 * q, 4 * sizeof *out->quads);
+    }
 }
 
 hexcon_status paired_transition_build(hexcon_context *context, const surface *s,
@@ -85,8 +87,9 @@ hexcon_status paired_transition_build(hexcon_context *context, const surface *s,
     return status;
   out->points = (mean_points){mesh->point_count, 4 * pairs, 2 * pairs, NULL};
   out->quads = context_allocate(context, s->quad_count + 4 * pairs, 4 * sizeof *out->quads);
+  out->hexes = context_allocate(context, s->quad_count + 4 * pairs, sizeof *out->hexes);
   out->points.means = context_allocate(context, 4 * pairs, 4 * sizeof(int32_t));
-  if (!out->quads || !out->points.means)
+  if (!out->quads || !out->hexes || !out->points.means)
     return HEXCON_OUT_OF_MEMORY;
   write_all(s, partner, mesh, out);
   mesh->point_count += 4 * pairs;
@@ -95,6 +98,7 @@ hexcon_status paired_transition_build(hexcon_context *context, const surface *s,
 
 void paired_quads_free(hexcon_context *context, paired_quads *paired) {
   context_free(context, paired->quads);
+  context_free(context, paired->hexes);
   context_free(context, paired->points.means);
   memset(paired, 0, sizeof *paired);
 }

@@ -17,6 +17,7 @@ typedef struct paired_quads {
   int32_t *quads; /**< [quad_count][4] oriented as the surface: the six of each pair, pair by pair
                        in the order of their first quads, then the quads of no pair; a pair that
                        shares two edges leaves four */
+  int32_t *hexes; /**< [quad_count] the hex behind each; -1: none */
   mean_points points;
 } paired_quads;
 

@@ -13,6 +13,7 @@ typedef struct split_layer {
   int32_t *middle; /* [node_count] points inside the layer; -1: none */
   int32_t *inner;  /* [node_count] points of the front behind it */
   growing_mesh *mesh;
+  size_t *starts; /* [quad_count + 1] first hex over every quad; may be NULL */
   mean_points *points;
 } split_layer;
 
@@ -249,11 +250,15 @@ static void add_hexes(const split_layer *l) {
   for (size_t q = 0; q < l->front->s->quad_count; q++) {
     quad_nodes n = read_quad(l, q);
     size_t parts[4][4], count = n.crossed ? 0 : list_parts(&n, parts);
+    if (l->starts)
+      l->starts[q] = l->mesh->hex_count;
     if (n.crossed)
       add_crossed(l, &n);
     for (size_t i = 0; i < count; i++)
       add_column(l, parts[i]);
   }
+  if (l->starts)
+    l->starts[l->front->s->quad_count] = l->mesh->hex_count;
 }
 
 /** Hexes of the layer if `left` is called left. */
@@ -287,7 +292,7 @@ static hexcon_status build_layer(hexcon_context *context, split_layer *l) {
 
 hexcon_status split_front_add_layer(hexcon_context *context, split_front *front, split_kind kind,
                                     const uint8_t *crossed, const uint8_t *sides,
-                                    growing_mesh *mesh, mean_points *points) {
+                                    growing_mesh *mesh, size_t *starts, mean_points *points) {
   memset(points, 0, sizeof *points);
   split_layer l = {.front = front,
                    .kind = kind,
@@ -297,6 +302,7 @@ hexcon_status split_front_add_layer(hexcon_context *context, split_front *front,
                    .middle = context_allocate(context, front->node_count, sizeof *l.middle),
                    .inner = context_allocate(context, front->node_count, sizeof *l.inner),
                    .mesh = mesh,
+                   .starts = starts,
                    .points = points};
   hexcon_status status =
       l.nodes && l.middle && l.inner ? build_layer(context, &l) : HEXCON_OUT_OF_MEMORY;

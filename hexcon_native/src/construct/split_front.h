@@ -48,12 +48,13 @@ void split_front_free(hexcon_context *context, split_front *front);
  * @param sides    [point_count] of the coarse points, 0 and 1: the layer is thicker on the side
  *                 that takes fewer hexes
  * @param mesh     grows
+ * @param starts   [quad_count + 1] receives the first hex over every coarse quad; NULL: not wanted
  * @param points   receives where the new points lie; points->means is to be freed by the caller,
  *                 also after an error
  * Errors: OUT_OF_MEMORY, TOO_LARGE. Linear.
  */
 hexcon_status split_front_add_layer(hexcon_context *context, split_front *front, split_kind kind,
                                     const uint8_t *crossed, const uint8_t *sides,
-                                    growing_mesh *mesh, mean_points *points);
+                                    growing_mesh *mesh, size_t *starts, mean_points *points);
 
 #endif

@@ -15,14 +15,17 @@ typedef struct recipe {
   const char *name;
   split_kind kind;
   hexcon_status (*close)(hexcon_context *context, const split_front *front, nested_mesh *mesh);
+  bool pillows;
 } recipe;
 
 static const recipe recipes[] = {
-    {HEXCON_METHOD_FOUR_SPLIT, "four-split", SPLIT_ORIGINAL, NULL},
-    {HEXCON_METHOD_PYRAMID, "pyramid", SPLIT_ORIGINAL, nested_mesh_close_by_pyramids},
-    {HEXCON_METHOD_PYRAMID_ALT, "pyramid-alt", SPLIT_ALTERNATIVE, nested_mesh_close_by_pyramids},
-    {HEXCON_METHOD_GEODE, "geode", SPLIT_ORIGINAL, nested_mesh_close_by_geodes},
-    {HEXCON_METHOD_GEODE_ALT, "geode-alt", SPLIT_ALTERNATIVE, nested_mesh_close_by_geodes},
+    {HEXCON_METHOD_FOUR_SPLIT, "four-split", SPLIT_ORIGINAL, NULL, false},
+    {HEXCON_METHOD_PYRAMID, "pyramid", SPLIT_ORIGINAL, nested_mesh_close_by_pyramids, false},
+    {HEXCON_METHOD_PYRAMID_ALT, "pyramid-alt", SPLIT_ALTERNATIVE, nested_mesh_close_by_pyramids,
+     false},
+    {HEXCON_METHOD_GEODE, "geode", SPLIT_ORIGINAL, nested_mesh_close_by_geodes, false},
+    {HEXCON_METHOD_GEODE_ALT, "geode-alt", SPLIT_ALTERNATIVE, nested_mesh_close_by_geodes, false},
+    {HEXCON_METHOD_PILLOWED, "pillowed", SPLIT_ALTERNATIVE, nested_mesh_close_by_geodes, true},
 };
 
 static const recipe *find_recipe(hexcon_method method) {
@@ -62,17 +65,16 @@ static size_t count_pairs(const int32_t *partner, size_t quad_count) {
 /** Pair, and lay the paired transition. */
 static hexcon_status pair(hexcon_context *context, const surface *s,
                           const hexcon_mesh_options *options, nested_mesh *nested,
-                          hexcon_mesh *mesh, int32_t **quads, size_t *quad_count) {
+                          hexcon_mesh *mesh, paired_quads *out) {
   double start = mesh_clock();
   int32_t *partner = context_allocate(context, s->quad_count, sizeof *partner);
   hexcon_status status =
       partner ? choose_pairs(context, s, options, partner) : HEXCON_OUT_OF_MEMORY;
   mesh_note_seconds(mesh, "pairing", start);
   start = mesh_clock();
-  *quads = NULL;
   if (!status) {
     mesh_note(mesh, "pairs", (double)count_pairs(partner, s->quad_count));
-    status = nested_mesh_pair(context, s, partner, nested, quads, quad_count);
+    status = nested_mesh_pair(context, s, partner, nested, out);
   }
   mesh_note(mesh, "hexes of paired transition", (double)nested->grown.hex_count);
   mesh_note_seconds(mesh, "paired transition", start);
@@ -175,22 +177,48 @@ static void hand_over(const recipe *r, nested_mesh *nested, hexcon_mesh *mesh) {
   memset(nested, 0, sizeof *nested);
 }
 
-/** All that comes after the pairing, on the quads that it left. */
-static hexcon_status fill_inside(hexcon_context *context, const recipe *r, const int32_t *quads,
-                                 size_t quad_count, nested_mesh *nested, hexcon_mesh *mesh) {
+static hexcon_status pillow(hexcon_context *context, nested_mesh *nested, hexcon_mesh *mesh) {
   double start = mesh_clock();
-  surface coarse;
+  size_t before = nested->grown.hex_count;
+  hexcon_status status = nested_mesh_pillow(context, nested);
+  mesh_note(mesh, "hexes of pillows", (double)(nested->grown.hex_count - before));
+  mesh_note_seconds(mesh, "pillows", start);
+  return status;
+}
+
+/** All that comes after the pairing, under the quads that it left. */
+static hexcon_status fill_coarse(hexcon_context *context, const recipe *r, const surface *coarse,
+                                 const paired_quads *paired, nested_mesh *nested,
+                                 hexcon_mesh *mesh) {
   split_front front = {0};
-  hexcon_status status =
-      surface_build(context, NULL, nested->grown.point_count, quads, quad_count, &coarse);
-  if (!status)
-    status = split_front_new(context, &coarse, &front);
-  mesh_note_seconds(mesh, "paired surface", start);
+  thin_columns thin = {0};
+  hexcon_status status = split_front_new(context, coarse, &front);
+  if (!status && r->pillows) {
+    status = thin_columns_find(context, coarse, paired->hexes, &thin);
+    nested->thin = &thin;
+  }
   if (!status)
     status = split(context, &front, r->kind, nested, mesh);
   if (!status)
     status = close(context, r, &front, nested, mesh);
+  if (!status && r->pillows)
+    status = pillow(context, nested, mesh);
+  nested->thin = NULL;
+  thin_columns_free(context, &thin);
   split_front_free(context, &front);
+  return status;
+}
+
+static hexcon_status fill_inside(hexcon_context *context, const recipe *r,
+                                 const paired_quads *paired, nested_mesh *nested,
+                                 hexcon_mesh *mesh) {
+  double start = mesh_clock();
+  surface coarse;
+  hexcon_status status = surface_build(context, NULL, nested->grown.point_count, paired->quads,
+                                       paired->quad_count, &coarse);
+  mesh_note_seconds(mesh, "paired surface", start);
+  if (!status)
+    status = fill_coarse(context, r, &coarse, paired, nested, mesh);
   surface_free(context, &coarse);
   return status;
 }
@@ -208,17 +236,16 @@ hexcon_status mesh_topological(hexcon_context *context, const surface *s,
                                const hexcon_mesh_options *options, hexcon_mesh *mesh) {
   const recipe *r = find_recipe(options->method);
   nested_mesh nested = {0};
-  int32_t *quads = NULL;
-  size_t quad_count = 0;
+  paired_quads paired = {0};
   bool star_shaped = false;
   hexcon_status status = check_closable(context, s, r);
   if (!status)
     status = nested_mesh_new(context, s, &nested, &star_shaped);
   if (!status)
-    status = pair(context, s, options, &nested, mesh, &quads, &quad_count);
+    status = pair(context, s, options, &nested, mesh, &paired);
   if (!status)
-    status = fill_inside(context, r, quads, quad_count, &nested, mesh);
-  context_free(context, quads);
+    status = fill_inside(context, r, &paired, &nested, mesh);
+  paired_quads_free(context, &paired);
   if (!status) {
     mesh_log(mesh, "topological: conforming, but some Jacobians are zero or negative; no solver "
                    "should take it");

@@ -5,8 +5,9 @@
 #include <string.h>
 
 #include "construct/dice.h"
-#include "construct/paired_transition.h"
+#include "construct/pillow.h"
 #include "shape/nested_placement.h"
+#include "shape/pillow_placement.h"
 #include "surface/colouring.h"
 #include "surface/star_center.h"
 
@@ -83,19 +84,9 @@ static hexcon_status place(hexcon_context *context, nested_mesh *mesh, const mea
 }
 
 hexcon_status nested_mesh_pair(hexcon_context *context, const surface *s, const int32_t *partner,
-                               nested_mesh *mesh, int32_t **quads, size_t *quad_count) {
-  paired_quads paired;
-  *quads = NULL;
-  hexcon_status status = paired_transition_build(context, s, partner, &mesh->grown, &paired);
-  if (!status)
-    status = place(context, mesh, &paired.points, ridge_share, 0);
-  if (!status) {
-    *quads = paired.quads;
-    *quad_count = paired.quad_count;
-    paired.quads = NULL;
-  }
-  paired_quads_free(context, &paired);
-  return status;
+                               nested_mesh *mesh, paired_quads *out) {
+  hexcon_status status = paired_transition_build(context, s, partner, &mesh->grown, out);
+  return status ? status : place(context, mesh, &out->points, ridge_share, 0);
 }
 
 /* ------------------------------------------------------------------------------------ split layers
@@ -111,12 +102,21 @@ static hexcon_status add_layer(hexcon_context *context, split_front *front, spli
                                const uint8_t *crossed, uint8_t *sides, double share,
                                nested_mesh *mesh) {
   mean_points made = {0};
+  size_t *starts =
+      mesh->thin ? context_allocate(context, front->s->quad_count + 1, sizeof *starts) : NULL;
   hexcon_status status = surface_sides(context, front->s, crossed, sides);
+  if (mesh->thin && !starts)
+    status = HEXCON_OUT_OF_MEMORY;
   if (!status)
-    status = split_front_add_layer(context, front, kind, crossed, sides, &mesh->grown, &made);
+    status =
+        split_front_add_layer(context, front, kind, crossed, sides, &mesh->grown, starts, &made);
   if (!status)
     status = place(context, mesh, &made, share / 2, share);
+  if (!status && mesh->thin)
+    status =
+        thin_columns_go_down(context, mesh->thin, front->s, &mesh->grown, starts, front->points);
   context_free(context, made.means);
+  context_free(context, starts);
   return status;
 }
 
@@ -291,9 +291,28 @@ static hexcon_status close_geodes(hexcon_context *context, const split_closure *
   return status;
 }
 
+/** Take note of the Geodes' hexes in thin columns; `first_hex` is the first of all. */
+static hexcon_status go_down_geodes(hexcon_context *context, const split_closure *c,
+                                    size_t first_hex, nested_mesh *mesh) {
+  const surface *s = c->front->s;
+  size_t *starts = context_allocate(context, s->quad_count + 1, sizeof *starts);
+  int32_t *ends = context_allocate(context, s->point_count, sizeof *ends);
+  hexcon_status status = starts && ends ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
+  for (size_t q = 0; !status && q <= s->quad_count; q++)
+    starts[q] = first_hex + c->shape->hex_count * q;
+  for (size_t v = 0; !status && v < s->point_count; v++)
+    ends[v] = (int32_t)(c->first_corner + v);
+  if (!status)
+    status = thin_columns_go_down(context, mesh->thin, s, &mesh->grown, starts, ends);
+  context_free(context, starts);
+  context_free(context, ends);
+  return status;
+}
+
 hexcon_status nested_mesh_close_by_geodes(hexcon_context *context, const split_front *front,
                                           nested_mesh *mesh) {
   split_closure c = {0};
+  size_t first_hex = mesh->grown.hex_count;
   uint8_t *turns = context_allocate(context, front->s->quad_count, 1);
   hexcon_status status =
       turns ? split_closure_choose_diagonals(context, front->s, turns) : HEXCON_OUT_OF_MEMORY;
@@ -302,9 +321,30 @@ hexcon_status nested_mesh_close_by_geodes(hexcon_context *context, const split_f
         split_closure_new(context, front, &template_geode_26, turns, mesh->grown.point_count, &c);
   if (!status)
     status = add_templates(context, &c, geode_share, mesh);
+  if (!status && mesh->thin)
+    status = go_down_geodes(context, &c, first_hex, mesh);
   if (!status)
     status = close_geodes(context, &c, mesh);
   split_closure_free(context, &c);
   context_free(context, turns);
+  return status;
+}
+
+/* --------------------------------------------------------------------------------------- pillowing
+ */
+
+hexcon_status nested_mesh_pillow(hexcon_context *context, nested_mesh *mesh) {
+  thin_columns *thin = mesh->thin;
+  pillow_points copies = {0};
+  hexcon_status status = thin_columns_sort_out(context, thin, mesh->grown.hex_count);
+  if (!status)
+    status =
+        pillow_hexes(context, thin->hexes, thin->parts, thin->hex_count, &mesh->grown, &copies);
+  if (!status)
+    status = grow_points(context, mesh);
+  if (!status)
+    status = place_pillow(context, mesh->grown.hexes, thin->hexes, thin->hex_count,
+                          copies.originals, copies.first, copies.count, mesh->points);
+  context_free(context, copies.originals);
   return status;
 }

@@ -3,14 +3,16 @@
 #ifndef HEXCON_SOLVE_NESTED_MESH_H
 #define HEXCON_SOLVE_NESTED_MESH_H
 
-#include "construct/growing_mesh.h"
+#include "construct/paired_transition.h"
 #include "construct/split_closure.h"
 #include "surface/loops.h"
+#include "thin_columns.h"
 
 typedef struct nested_mesh {
   growing_mesh grown;
-  double *points;   /**< [grown.point_count][3] */
-  double center[3]; /**< towards which all layers go */
+  double *points;     /**< [grown.point_count][3] */
+  double center[3];   /**< towards which all layers go */
+  thin_columns *thin; /**< the caller's, kept up to date where it is not NULL */
 } nested_mesh;
 
 /** Begin with a surface's points, around its star centre, or the mean of the points where there is
@@ -20,10 +22,10 @@ hexcon_status nested_mesh_new(hexcon_context *context, const surface *s, nested_
                               bool *star_shaped);
 void nested_mesh_free(hexcon_context *context, nested_mesh *mesh);
 
-/** Lay two hexes on each pair.
- * @param quads  receives what then is to be filled, [quad_count][4], to be freed by the caller */
+/** Lay two hexes on each pair. @param out what then is to be filled; free with paired_quads_free,
+ * also after an error */
 hexcon_status nested_mesh_pair(hexcon_context *context, const surface *s, const int32_t *partner,
-                               nested_mesh *mesh, int32_t **quads, size_t *quad_count);
+                               nested_mesh *mesh, paired_quads *out);
 
 /** Lay a split layer along every family.
  * @param added  [family_count] receives the hexes of each layer */
@@ -38,5 +40,8 @@ hexcon_status nested_mesh_close_by_pyramids(hexcon_context *context, const split
 /** Fill what is left by Geodes, and by diced tetrahedra that meet in the centre. */
 hexcon_status nested_mesh_close_by_geodes(hexcon_context *context, const split_front *front,
                                           nested_mesh *mesh);
+
+/** Pillow what is in the thin columns. */
+hexcon_status nested_mesh_pillow(hexcon_context *context, nested_mesh *mesh);
 
 #endif
