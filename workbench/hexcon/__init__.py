@@ -7,12 +7,13 @@ workbench and CalculiX behind. FreeCAD is imported only by the calls that need i
 from hexcon_native import HexconError, Mesh
 
 from .errors import FaultCode, ToolError
+from .examples import example, example_names
 from .meshing import mesh_quad_surface, mesh_solid, mesh_surface
 
 __version__ = "0.1.0"
 
-__all__ = ["FaultCode", "HexconError", "Mesh", "ToolError", "mesh_quad_surface", "mesh_solid",
-           "mesh_surface", "solve", "to_femmesh", "write"]
+__all__ = ["FaultCode", "HexconError", "Mesh", "ToolError", "example", "example_names",
+           "mesh_quad_surface", "mesh_solid", "mesh_surface", "solve", "to_femmesh", "write"]
 
 
 def to_femmesh(mesh, order=None, *, allow_topological=False):
