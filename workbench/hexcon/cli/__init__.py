@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command line: hexcon mesh | check | info | solve.
+"""The command line: hexcon mesh | check | info | example | solve.
 
 Exit status: 0 done; 1 a fault (its words on standard error); 2 wrong usage; 3 `check` found the
 mesh not certified; 130 interrupted.

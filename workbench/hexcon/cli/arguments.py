@@ -5,8 +5,10 @@ import math
 
 import hexcon_native
 
+from ..examples import example_names
+from ..files.surfaces import SURFACE_ENDINGS
 from ..quads import METHODS as SURFACE_METHODS
-from . import commands
+from . import commands, examples
 
 PAIRINGS = ("all", "fewest", "none")
 _EXIT = ("exit status: 0 done; 1 a fault, its words on standard error; 2 wrong usage; 3 check: not "
@@ -41,7 +43,12 @@ def _add_meshing(command):
                          help="wanted edge length in mm; needed for solids")
     command.add_argument("--surface-method", choices=SURFACE_METHODS, default="auto",
                          help="how a solid's surface is meshed with quads")
-    command.add_argument("--method", choices=list(hexcon_native.METHODS), default="auto",
+    _add_filling(command)
+
+
+def _add_filling(command, method="auto"):
+    """Options of what is filled; method: the default."""
+    command.add_argument("--method", choices=list(hexcon_native.METHODS), default=method,
                          help="how the surface is filled with hexes")
     command.add_argument("--layers", type=int, default=0, metavar="K",
                          help="cells: at least K layers of plain hexes under the surface")
@@ -62,9 +69,10 @@ def _add_meshing(command):
 def _add_mesh(commands_parser):
     command = commands_parser.add_parser(
         "mesh", help="fill a solid or a quad surface with hexes", epilog=_EXIT,
-        description="IN is a solid (.step .stp .brep .brp .FCStd) or a quad surface (.msh .inp "
-                    ".unv .vtk .vtu .obj .mesh). OUT's ending decides its format: .inp .msh .vtu "
-                    ".vtk .unv .med .FCStd (the last two through FreeCAD).")
+        description="IN is a solid (.step .stp .brep .brp .FCStd), a quad surface (.msh .inp .unv "
+                    ".vtk .vtu .obj .mesh) or example:NAME (see hexcon example). OUT's ending "
+                    "decides its format: .inp .msh .vtu .vtk .unv .med .FCStd (the last two "
+                    "through FreeCAD).")
     command.add_argument("input", metavar="IN")
     command.add_argument("-o", "--output", metavar="OUT", action="append", required=True,
                          help="may be given several times")
@@ -85,8 +93,23 @@ def _add_check(commands_parser):
 
 def _add_info(commands_parser):
     command = commands_parser.add_parser("info", help="facts of a quad surface", epilog=_EXIT)
-    command.add_argument("input", metavar="SURFACE")
+    command.add_argument("input", metavar="SURFACE", help="a file, or example:NAME")
     command.set_defaults(run=commands.info)
+
+
+def _add_example(commands_parser):
+    command = commands_parser.add_parser(
+        "example", help="list, write, fill or draw a surface of the literature", epilog=_EXIT,
+        description=f"Without NAME: the list. NAME is one of {', '.join(example_names())}. OUT is a surface "
+                    f"({' '.join(SURFACE_ENDINGS)}) or, with --method, a hex mesh, as of hexcon mesh.")
+    command.add_argument("name", metavar="NAME", nargs="?")
+    command.add_argument("-o", "--output", metavar="OUT", action="append", default=[],
+                         help="may be given several times")
+    command.add_argument("--gallery", metavar="FOLDER",
+                         help="draw the surface with its loops, the pairs and, with --method, every stage of the "
+                              "hexes: numbered .png files in that folder")
+    _add_filling(command, method=None)
+    command.set_defaults(run=examples.example, input="")  # no input file
 
 
 def _add_solve(commands_parser):
@@ -116,7 +139,7 @@ def parse(arguments=None):
         prog="hexcon", epilog=_EXIT,
         description="Hexahedral meshes whose boundary is exactly a given quad surface.")
     commands_parser = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    for add in (_add_mesh, _add_check, _add_info, _add_solve):
+    for add in (_add_mesh, _add_check, _add_info, _add_example, _add_solve):
         add(commands_parser)
     for command in commands_parser.choices.values():
         command.add_argument("--json", action="store_true", help="one JSON object for machines")

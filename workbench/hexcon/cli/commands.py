@@ -9,6 +9,7 @@ import hexcon_native
 from ..calculix import solve_inp, static_deck
 from ..calculix.deck import face_number
 from ..errors import FaultCode, ToolError
+from ..examples import example
 from ..femmesh.hexahedron import EDGES
 from ..files import WRITERS, check_method_for, read_mesh, write
 from ..meshing import mesh_quad_surface, mesh_solid
@@ -17,6 +18,7 @@ from ..quads.solids import CAD_ENDINGS
 from ..topological import BY_OPTION, MEANING, is_topological, refuse_topological_method
 
 SOLID_ENDINGS = (*CAD_ENDINGS, ".fcstd")
+EXAMPLE = "example:"  # what an input starts with that is no file but an example's name
 
 
 def _ending(path):
@@ -46,18 +48,30 @@ def pairing_option(pairing):
     return {} if pairing == "all" else {"pairing": pairing}
 
 
-def _mesh_input(options):
-    """Mesh of the input, solid or surface."""
-    kept = {"method": options.method, "order": options.order, "layers": options.layers,
+def _surface_input(argument):
+    """The quad surface that an argument names: a file's, or example:NAME."""
+    if argument.startswith(EXAMPLE):
+        return example(argument[len(EXAMPLE):])
+    return surface_from_file(argument)
+
+
+def filling(options):
+    """The options of mesh_quad_surface among the command line's."""
+    return {"method": options.method, "order": options.order, "layers": options.layers,
             "timeout": options.timeout, "allow_uncertified": options.allow_uncertified,
             **pairing_option(options.pairing)}
+
+
+def _mesh_input(options):
+    """Mesh of the input, solid or surface."""
+    kept = filling(options)
     if _ending(options.input) in SOLID_ENDINGS:
         if options.size is None:
             raise ToolError("a solid needs --size, the wanted edge length in mm",
                             FaultCode.BAD_OPTION)
         return mesh_solid(options.input, options.size, surface_method=options.surface_method,
                           **kept)
-    return mesh_quad_surface(surface_from_file(options.input), **kept)
+    return mesh_quad_surface(_surface_input(options.input), **kept)
 
 
 def _facts(mesh):
@@ -96,8 +110,8 @@ def _mesh_lines(mesh):
     return lines
 
 
-def _check_outputs(options, known):
-    """Before the work, not after it."""
+def check_outputs(options, known):
+    """Raise what writing options.output would, known being its endings: before the work, not after it."""
     for path in options.output:
         if _ending(path) not in known:
             raise ToolError(f"cannot write {path}: one of {', '.join(sorted(known))} is possible",
@@ -111,9 +125,13 @@ def _check_outputs(options, known):
 
 def mesh(options):
     """hexcon mesh IN -o OUT"""
-    _check_outputs(options, WRITERS)
+    check_outputs(options, WRITERS)
     check_method_for(options.output, options.method, options.allow_topological, BY_OPTION)
-    made = _mesh_input(options)
+    return write_mesh(_mesh_input(options), options)
+
+
+def write_mesh(made, options):
+    """Write a mesh to options.output; returns (facts, lines) of it."""
     for path in options.output:
         write(made, path, allow_topological=options.allow_topological)
     return (dict(_facts(made), written=options.output),
@@ -125,7 +143,7 @@ def check(options):
     found = read_mesh(options.input)
     quads = np.asarray(found.quads)
     if options.surface:
-        quads = _match_surface(found.points, surface_from_file(options.surface))
+        quads = _match_surface(found.points, _surface_input(options.surface))
     certificate = hexcon_native.certify(found.points, found.hexes, quads)
     quality = hexcon_native.quality(found.points, found.hexes)
     curved = _curved_hexes(found)
@@ -181,7 +199,7 @@ def _match_surface(points, surface):
 
 def info(options):
     """hexcon info SURFACE"""
-    surface = surface_from_file(options.input)
+    surface = _surface_input(options.input)
     report = hexcon_native.check_surface(surface.points, surface.quads)
     crossing = int(np.count_nonzero(report.loops.self_crossings))
     center = ("none" if report.star_center is None
@@ -231,7 +249,7 @@ def _mesh_to_solve(options, is_solid):
 
 def solve(options):
     """hexcon solve IN --fixed FaceN --force FaceN=fx,fy,fz"""
-    _check_outputs(options, {".vtu", ".vtk", ".png"})
+    check_outputs(options, {".vtu", ".vtk", ".png"})
     force, pressure = _by_face(options.force), _by_face(options.pressure)
     is_solid = _ending(options.input) in SOLID_ENDINGS
     made = _mesh_to_solve(options, is_solid)
