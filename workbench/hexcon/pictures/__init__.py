@@ -14,7 +14,7 @@ from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.elements import elements_of
 from hexcon.files import replace_file
 
-_SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "scene.py")
+_FOLDER = os.path.dirname(os.path.abspath(__file__))
 
 
 def render(mesh, path, *, displacements=None, warp=None, cut="auto", title=None,
@@ -37,11 +37,18 @@ def render(mesh, path, *, displacements=None, warp=None, cut="auto", title=None,
     path = os.fspath(path)
     if not path.lower().endswith(".png"):
         raise ToolError(f"cannot draw {path}: the ending must be .png", FaultCode.FILE_FORMAT)
-    job = _job(elements_of(mesh), displacements, warp, cut, title, size)
+    draw("scene.py", _job(elements_of(mesh), displacements, warp, cut, title, size), path, timeout)
+
+
+def draw(program, job, path, timeout=300):
+    """Have a program of this folder draw a job, a dict of arrays, to the file path.
+
+    Raises ToolError: TOOL_MISSING, TOOL_FAILED, TOOL_TIMEOUT, FILE_IO.
+    """
     with tempfile.TemporaryDirectory(prefix="hexcon-picture-") as folder:
         arrays = os.path.join(folder, "scene.npz")
         np.savez(arrays, **job)
-        replace_file(path, lambda beside: _draw(arrays, beside, timeout))
+        replace_file(path, lambda beside: _draw(program, arrays, beside, timeout))
 
 
 def _job(elements, displacements, warp, cut, title, size):
@@ -65,7 +72,7 @@ def _job(elements, displacements, warp, cut, title, size):
         job.update(displacements=displacements, warp=float(warp))
     job["size"] = np.array(size or ((1700, 850) if displacements is not None
                                     else (1000, 850)))
-    job["keep"] = _kept(points, hexes, cut)
+    job["keep"] = kept(points, hexes, cut)
     return job
 
 
@@ -75,8 +82,8 @@ def _round_factor(factor):
     return float(power * max(m for m in (1, 2, 5) if m <= factor / power * (1 + 1e-9)))
 
 
-def _kept(points, hexes, cut):
-    """(H,) bool: hexahedra that stay when the mesh is cut open."""
+def kept(points, hexes, cut):
+    """(H,) bool: hexahedra that stay when the mesh is cut open; cut as of render."""
     if cut is None:
         return np.ones(len(hexes), bool)
     centres = points[hexes].mean(axis=1)
@@ -104,9 +111,9 @@ def _python():
     return beside if os.path.exists(beside) else (shutil.which(name) or "python3")
 
 
-def _command(arrays, path):
+def _command(program, arrays, path):
     """The drawing program's command line, under xvfb-run where there is no screen."""
-    command = [_python(), _SCENE, arrays, path]
+    command = [_python(), os.path.join(_FOLDER, program), arrays, path]
     if not sys.platform.startswith("linux") or os.environ.get("DISPLAY"):
         return command
     xvfb = shutil.which("xvfb-run")
@@ -147,8 +154,8 @@ def _end(process):
         process.kill()
 
 
-def _draw(arrays, path, timeout):
-    status, output = _run(_command(arrays, path), timeout)
+def _draw(program, arrays, path, timeout):
+    status, output = _run(_command(program, arrays, path), timeout)
     if status or not os.path.exists(path):
         if "No module named 'vtk" in output:
             raise ToolError("drawing needs VTK for Python (Debian: apt install python3-vtk9; "

@@ -30,6 +30,7 @@ QUALITY = np.array([(165, 0, 38), (222, 63, 46), (248, 142, 82), (254, 212, 133)
                     (246, 246, 200), (183, 221, 216), (116, 173, 209), (69, 117, 180)]) / 255
 INVERTED = np.array([(80, 0, 90)]) / 255
 VIEW = np.array([-0.42, -1.0, 0.52])  # from the solid to the viewer
+FREE = (0.17, 0.85)  # of the height: between the scalar bar and the captions
 
 
 def grid(points, hexes, name, values, on_points):
@@ -145,30 +146,29 @@ def scalar_bar(lookup, label_format, labels):
     return bar
 
 
-def renderer(window, viewport, actors, bounds_of, aspect):
-    """One half of the picture, its camera fitted to the points bounds_of (k,3)."""
+def renderer(window, viewport, actors, bounds_of, aspect, view=VIEW, free=FREE):
+    """A part of the picture, its camera fitted to the points bounds_of (k,3)."""
     made = vtkRenderer()
     made.SetBackground(1, 1, 1)
     made.SetViewport(*viewport)
     for actor in actors:
         (made.AddActor2D if isinstance(actor, vtkActor2D) else made.AddActor)(actor)
     window.AddRenderer(made)
-    fit_camera(made, bounds_of, aspect)
+    fit_camera(made, bounds_of, aspect, view, free)
     return made
 
 
-def fit_camera(made, points, aspect):
-    """Parallel projection that fits the points between the captions and the scalar bar."""
-    view = VIEW / np.linalg.norm(VIEW)
+def fit_camera(made, points, aspect, view, free):
+    """Parallel projection that fits the points into the part of the height that is free of text."""
+    view = view / np.linalg.norm(view)
     right = np.cross((0, 0, 1.0), view)
     right /= np.linalg.norm(right)
     up = np.cross(view, right)
     u, v = points @ right, points @ up
     width, height = max(np.ptp(u), 1e-12), max(np.ptp(v), 1e-12)
-    scale = max(height / 0.62, width / (0.88 * aspect)) / 2
-    # free of text: from 0.17 to 0.85 of the height; its middle is at 0.51
+    scale = max(height / (free[1] - free[0] - 0.06), width / (0.88 * aspect)) / 2
     middle = ((u.min() + u.max()) / 2 * right + (v.min() + v.max()) / 2 * up
-              - 2 * scale * 0.01 * up)
+              - scale * (free[0] + free[1] - 1) * up)
     depth = points @ view
     middle = middle + (depth.min() + depth.max()) / 2 * view
     camera = made.GetActiveCamera()
@@ -217,13 +217,31 @@ def displaced_half(job):
     return actors, np.vstack([points, moved])
 
 
-def draw(job, path):
-    """The whole picture to a PNG."""
-    width, height = (int(n) for n in job["size"])
+def window_of(size):
+    """An empty render window of (width, height) pixels, drawn without a screen."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
-    window.SetSize(width, height)
+    window.SetSize(*size)
+    return window
+
+
+def save(window, path):
+    """Draw all renderers to a PNG."""
+    window.Render()
+    image = vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetFileName(path)
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.Write()
+
+
+def draw(job, path):
+    """The whole picture to a PNG."""
+    width, height = (int(n) for n in job["size"])
+    window = window_of((width, height))
     halves = [mesh_half(job)]
     if "displacements" in job:
         halves.append(displaced_half(job))
@@ -233,14 +251,7 @@ def draw(job, path):
             actors.append(text_actor(str(job["title"]), 0.03, 0.94, 30, bold=True))
         renderer(window, (k * share, 0, (k + 1) * share, 1), actors, seen,
                  width * share / height)
-    window.Render()
-    image = vtkWindowToImageFilter()
-    image.SetInput(window)
-    image.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(path)
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.Write()
+    save(window, path)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pictures of how hexes are built under a quad surface: its loops, its pairs, and every stage of the hexes.
+
+This file decides what is seen; gallery_scene.py, a program of its own, draws it.
+"""
+import os
+import re
+
+import numpy as np
+
+import hexcon_native
+from hexcon.errors import FaultCode, ToolError
+from hexcon.femmesh.hexahedron import FACES
+from hexcon.quads.figures import loop_edges
+from hexcon.quads.surface import edge_partners, edges_of
+
+from . import draw, kept
+
+SIZE = np.array([1000, 640])                  # pixels of a picture with one row of panels
+ROW = 340                                     # more for every other row
+FRONT = np.array([-0.75, -1.0, 0.53])         # from the body to the viewer; no example has a side edge-on to it
+BEHIND = -FRONT
+TOWARDS = FRONT * (1, 1, 0)                   # normal of the cut, the half before which is taken away
+SHRINK = 0.82                                 # hexes towards their centres, so that each is seen for itself
+
+
+def _colours(*words):
+    return np.array([[int(word[k:k + 2], 16) for k in (0, 2, 4)] for word in words]) / 255
+
+
+# Okabe and Ito's colours: told apart without full colour vision, too. First those of the stages.
+STAGE_COLOURS = _colours("E69F00", "56B4E9", "009E73", "CC79A7", "D55E00", "0072B2", "F0E442")
+LOOP_COLOURS = _colours("0072B2", "D55E00", "009E73", "CC79A7", "E69F00", "56B4E9")
+PAIR_COLOURS = _colours("8DD3C7", "FFFFB3", "BEBADA", "FB8072", "80B1D3", "FDB462", "B3DE69", "FCCDE5",
+                            "BC80BD", "CCEBC5", "FFED6F", "D9D9D9")
+PLAIN = np.array([0.93, 0.93, 0.91])          # a quad that means nothing in itself
+DARK = np.array([0.10, 0.11, 0.13])           # marks
+_STAGE = re.compile(r"hexes of (.+)")
+
+__all__ = ["stages", "stages_of"]
+
+
+def stages(surface, mesh, folder, *, name="surface"):
+    """Draw a surface and the stages of its hexes; returns the paths of the pictures, in their order.
+
+    surface  .points (V,3), .quads (n,4): a quads.QuadSurface; n even
+    mesh     its hexes, or None: .points (P,3), .hexes (H,8|20) and .report, of which stages_of tells the stages
+    folder   made where it does not exist; pictures of the same names are replaced
+    name     of the surface, for the titles
+    Drawn are 1-surface.png, its dual loops; 2-pairs.png, the pairs of quads; of more than one stage 3-stages.png, all
+    of them cut open; then one picture for every stage, such as 7-closure.png: its hexes, whole and cut open.
+    Raises ToolError: FILE_IO, BAD_MESH, and those of pictures.draw; HexconError ODD and those of pairing.
+    """
+    jobs = [("surface", _loops_job(surface, name)), ("pairs", _pairs_job(surface, name))]
+    if mesh is not None:
+        jobs += _hexes_jobs(surface, mesh, name)
+    try:
+        os.makedirs(folder, exist_ok=True)
+    except OSError as error:
+        raise ToolError(f"cannot make the folder {folder}: {error.strerror or error}", FaultCode.FILE_IO) from error
+    paths = [os.path.join(folder, f"{k}-{words.replace(' ', '-')}.png") for k, (words, _) in enumerate(jobs, 1)]
+    for path, (_, job) in zip(paths, jobs):
+        draw("gallery_scene.py", job, path)
+    return paths
+
+
+def stages_of(mesh):
+    """[(name, slice of mesh.hexes)] of the stages that put hexes in, by "hexes of NAME" in mesh.report.
+
+    They lie one after the other. A mesh that names none is one stage, "all hexes".
+    Raises ToolError BAD_MESH if they do not add up to the mesh.
+    """
+    counts = [(found[1], int(count)) for key, count in mesh.report.items() if (found := _STAGE.fullmatch(key))]
+    if not counts:
+        return [("all hexes", slice(0, len(mesh.hexes)))]
+    ends = np.cumsum([count for _, count in counts]).tolist()
+    if ends[-1] != len(mesh.hexes):
+        raise ToolError(f"the stages have {ends[-1]} hexes in all, and the mesh {len(mesh.hexes)}: its report is not "
+                        "of these hexes", FaultCode.BAD_MESH)
+    return [(name, slice(end - count, end)) for (name, count), end in zip(counts, ends) if count]
+
+
+# ---------------------------------------------------------------------------------------- surface
+
+def _loops_job(surface, name):
+    """The dual loops through the middles of edges; where one crosses itself, a dot."""
+    loops = loop_edges(surface.quads)
+    crossings = [_passed_twice(loop) for loop in loops]
+    colours = LOOP_COLOURS[np.arange(len(loops)) % len(LOOP_COLOURS)]
+    middles = surface.points[edges_of(surface.quads)].mean(axis=1)
+    dots = surface.points[surface.quads[np.concatenate(crossings)]].mean(axis=1)
+    drawn = {**_faces(surface.points, surface.quads, np.tile(PLAIN, (len(surface.quads), 1))),
+             **_tubes([middles[np.append(loop, loop[0])] for loop in loops], colours),
+             "ball_points": dots, "ball_colours": np.tile(DARK, (len(dots), 1))}
+    legend = [f"loop of length {len(loop)}{_crossing_words(twice)}" for loop, twice in zip(loops, crossings)]
+    return _job(f"{name}: {len(surface.quads)} quads, {_count(len(loops), 'dual loop')}",
+                "Each loop passes quads from edge to opposite edge. Dark dots: a loop crosses itself.",
+                _both_sides(surface.points, drawn), 2, *_legend(legend, colours))
+
+
+def _passed_twice(loop):
+    """Quads that a loop, given by its edges, passes twice."""
+    quads, passes = np.unique(loop // 4, return_counts=True)
+    return quads[passes > 1]
+
+
+def _crossing_words(twice):
+    return f", crosses itself {_count(len(twice), 'time')}" if len(twice) else ", simple"
+
+
+def _legend(words, colours, most=6):
+    """(words, colours), of the first few where there are too many."""
+    if len(words) <= most:
+        return words, colours
+    return [*words[:most - 1], f"and {len(words) - most + 1} more"], np.vstack([colours[:most - 1], DARK])
+
+
+def _pairs_job(surface, name):
+    """Each pair of quads in one colour, with a bar from quad to quad across their edge."""
+    points, quads = surface.points, surface.quads
+    pairs = hexcon_native.pairing(quads, points).astype(np.int64)
+    pair_of = np.empty(len(quads), np.int64)
+    pair_of[pairs] = np.arange(len(pairs))[:, None]
+    centres, middles = points[quads].mean(axis=1), points[edges_of(quads)].mean(axis=1)
+    other = edge_partners(quads) // 4
+    bars = []
+    for one, two in pairs.tolist():
+        across = 4 * one + int(np.argmax(other[4 * one:4 * one + 4] == two))
+        bars.append(np.array([centres[one], middles[across], centres[two]]))
+    drawn = {**_faces(points, quads, _told_apart(pair_of, other)[pair_of]),
+             **_tubes(bars, np.tile(DARK, (len(bars), 1))),
+             "ball_points": centres, "ball_colours": np.tile(DARK, (len(quads), 1))}
+    return _job(f"{name}: {len(pairs)} pairs of quads",
+                "Every quad has one neighbour as its partner: the paired partition.",
+                _both_sides(points, drawn), 2)
+
+
+def _told_apart(pair_of, other):
+    """(pairs, 3) colours: no two pairs that share an edge have the same, as far as the palette goes."""
+    neighbours = [set() for _ in range(int(pair_of.max()) + 1)]
+    for one, two in zip(pair_of.repeat(4).tolist(), pair_of[other].tolist()):
+        if one != two:
+            neighbours[one].add(two)
+    chosen, used = {}, [0] * len(PAIR_COLOURS)
+    for pair, around in enumerate(neighbours):
+        taken = {chosen.get(near) for near in around}
+        chosen[pair] = min(range(len(used)), key=lambda colour: (colour in taken, used[colour], colour))
+        used[chosen[pair]] += 1
+    return PAIR_COLOURS[[chosen[pair] for pair in range(len(neighbours))]]
+
+
+def _both_sides(points, drawn):
+    """Two panels of the same things: nothing hides behind."""
+    return [_panel("from the front, above", FRONT, points, drawn),
+            _panel("from behind, below", BEHIND, points, drawn)]
+
+
+# ------------------------------------------------------------------------------------------ hexes
+
+def _hexes_jobs(surface, mesh, name):
+    """[(words for the file's name, job)] of the stages: all together if there are several, then each."""
+    points, hexes = np.asarray(mesh.points, float), np.asarray(mesh.hexes)[:, :8]
+    found = stages_of(mesh)
+    title = f"{name}: {len(hexes)} hexes, method {getattr(mesh, 'method', 'unknown')}"
+    colours = STAGE_COLOURS[np.arange(len(found)) % len(STAGE_COLOURS)]
+    frame = surface.points[edges_of(surface.quads)]
+    panels = [_panel(f"{words}: {_count(len(hexes[rows]), 'hex')}", FRONT, surface.points,
+                     {**_hexes(points, hexes[rows], colour, True), "lines": frame})
+              for (words, rows), colour in zip(found, colours)]
+    columns = int(np.ceil(np.sqrt(len(panels))))
+    jobs = [("stages", _job(title, "The stages from outside to inside, cut open.", panels, columns))]
+    for (words, rows), colour in zip(found, colours):
+        jobs.append((words, _stage_job(f"{name}: {words}", points, hexes, rows, colour)))
+    return jobs if len(found) > 1 else jobs[1:]
+
+
+def _stage_job(title, points, hexes, rows, colour):
+    """One stage large: all of its hexes, and cut open."""
+    part = hexes[rows]
+    seen = points[np.unique(part)]
+    panels = [_panel("all of them", FRONT, seen, _hexes(points, part, colour, False)),
+              _panel("cut open", FRONT, seen, _hexes(points, part, colour, True))]
+    return _job(title, f"{len(part)} of {len(hexes)} hexes, each shrunk towards its centre.", panels, 2)
+
+
+def _hexes(points, hexes, colour, cut_open):
+    """The faces of the hexes, each hex shrunk towards its centre; cut_open: without those before the middle."""
+    cut = ((points.min(axis=0) + points.max(axis=0)) / 2, TOWARDS) if cut_open else None
+    corners = points[hexes[kept(points, hexes, cut)]]
+    centres = corners.mean(axis=1, keepdims=True)
+    shrunk = (centres + SHRINK * (corners - centres)).reshape(-1, 3)
+    quads = (8 * np.arange(len(corners))[:, None, None] + FACES).reshape(-1, 4)
+    return _faces(shrunk, quads, np.tile(colour, (len(quads), 1)))
+
+
+# -------------------------------------------------------------------------------- what the scene is
+
+def _faces(points, quads, colours):
+    return {"face_points": points, "faces": quads, "face_colours": colours}
+
+
+def _tubes(polylines, colours):
+    starts = np.cumsum([0, *map(len, polylines)])
+    return {"tube_points": np.concatenate(polylines), "tube_starts": starts, "tube_colours": colours}
+
+
+def _panel(caption, view, seen, drawn):
+    """The arrays of one panel, as gallery_scene.py lists them."""
+    nothing = {"lines": np.zeros((0, 2, 3)), "tube_points": np.zeros((0, 3)), "ball_points": np.zeros((0, 3))}
+    return {**nothing, **drawn, "caption": caption, "view": view, "seen": seen}
+
+
+def _job(title, subtitle, panels, columns, legend=(), legend_colours=()):
+    """The arrays of one picture."""
+    job = {f"{k} {key}": value for k, panel in enumerate(panels) for key, value in panel.items()}
+    more_rows = -(-len(panels) // columns) - 1
+    return dict(job, size=SIZE + (0, ROW * more_rows), columns=columns, title=title, subtitle=subtitle,
+                legend=np.array(legend, str), legend_colours=np.array(legend_colours).reshape(-1, 3))
+
+
+def _count(number, thing):
+    plural = "" if number == 1 else "es" if thing.endswith("x") else "s"
+    return f"{number} {thing}{plural}"
