@@ -2,6 +2,7 @@
 # make run     set up what is missing, build, mesh and solve a real solid, show where it is
 # make test    set up, build, and run everything that can fail
 # make bench   time and memory of every stage, and how they grow
+# make gallery the examples drawn stage by stage, into output/gallery; GALLERY_METHOD: how they are filled
 # make build   the core alone, in place
 # FREECADCMD and PYTHON may name another FreeCAD and its interpreter.
 
@@ -15,7 +16,7 @@ sources = $(shell git ls-files 'hexcon_native/*.[ch]' 'tests/native/*.[ch]' 2>/d
             find hexcon_native tests/native -name '*.[ch]')
 native = $(wildcard hexcon_native/src/*/*.c)
 
-.PHONY: run test build bench setup-run setup-test lint native-test python-test clean
+.PHONY: run test build bench gallery setup-run setup-test lint native-test python-test clean
 
 run: setup-run build
 	@command -v $(FREECADCMD) >/dev/null || { echo "HexCon: there is no $(FREECADCMD); set FREECADCMD to FreeCAD's command line program" >&2; exit 1; }
@@ -52,6 +53,12 @@ python-test:
 bench: setup-run build
 	ninja -C $(build) --quiet hexcon_bench
 	$(build)/hexcon_bench
+
+GALLERY_METHOD ?= pyramid
+gallery: setup-run build
+	@for name in $$(PYTHONPATH=.:workbench $(python) -c 'import hexcon; print(*hexcon.example_names())'); do \
+	  HEXCON_PYTHON=$(python) bin/hexcon example $$name --method $(GALLERY_METHOD) \
+	    --gallery output/gallery/$$name || exit; done
 
 clean:
 	rm -rf build output hexcon_native/*.abi3.so

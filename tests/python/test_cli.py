@@ -113,7 +113,7 @@ def test_a_surface_in_unv_and_words_for_people(wedge, tmp_path):
     (), ("bake", WEDGE), ("mesh", WEDGE), ("mesh", WEDGE, "-o", "x.inp", "--size", "big"),
     ("mesh", WEDGE, "-o", "x.inp", "--order", "3"),
     ("mesh", WEDGE, "-o", "x.inp", "--method", "x"),
-    ("check",), ("info", "a", "b"), ("solve", "m.inp"),
+    ("check",), ("info", "a", "b"), ("solve", "m.inp"), ("example", "a", "b"),
     ("solve", "m.inp", "--fixed", "Face1", "--force", "Face2=1,2"),
     ("solve", "m.inp", "--fixed", "Face1", "--force", "Face2=0,0,nan"),
     ("solve", "m.inp", "--fixed", "Face1", "--pressure", "Face2"),
@@ -124,7 +124,7 @@ def test_wrong_usage(arguments):
 
 
 def test_help_tells_the_exit_status():
-    for command in ("mesh", "check", "info", "solve"):
+    for command in ("mesh", "check", "info", "example", "solve"):
         done = hexcon(command, "--help")
         assert done.returncode == 0
         assert "3 check: not certified" in " ".join(done.stdout.split())
