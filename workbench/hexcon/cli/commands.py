@@ -93,7 +93,7 @@ def _made_of(mesh):
     if mesh.method == "swept":
         return f"{told['cap quads']:.0f} cap quads x {told['rings']:.0f} rings"
     if is_topological(mesh):
-        return f"{len(mesh.hexes) / len(mesh.quads):.1f} hexes a quad"
+        return f"{len(mesh.hexes) / len(mesh.surface.quads):.1f} hexes a quad"
     return (f"{told['layers']:.0f} layers, {told['pairs']:.0f} pairs of quads, "
             f"{told['tetrahedra']:.0f} tetrahedra; {told['hexes per quad']:.1f} hexes a quad")
 

@@ -2,10 +2,11 @@
 """hexcon example: the surfaces of the literature, listed, written, filled with hexes and drawn."""
 from ..errors import FaultCode, ToolError
 from ..examples import ABOUT, example as example_surface, example_names
-from ..files import WRITERS
+from ..files import WRITERS, check_method_for
 from ..files.surfaces import SURFACE_ENDINGS, write_surface
 from ..meshing import mesh_quad_surface
 from ..quads.figures import face_doublets, flat_corners
+from ..topological import BY_OPTION
 from .commands import check_outputs, filling, write_mesh
 
 
@@ -37,6 +38,7 @@ def _check(options):
     if options.method and not options.output and not options.gallery:
         raise ToolError("the hexes would be lost: give -o or --gallery", FaultCode.BAD_OPTION)
     check_outputs(options, SURFACE_ENDINGS if options.method is None else WRITERS)
+    check_method_for(options.output, options.method, options.allow_topological, BY_OPTION)
 
 
 def _write(surface, options):
