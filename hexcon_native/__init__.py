@@ -347,13 +347,14 @@ class Mesh:
 
 
 def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahedralise=None,
-         pairing="all", progress=None, allow_uncertified=False, certify=True):
+         pairing="all", budget=0.0, progress=None, allow_uncertified=False, certify=True):
     """Fill a closed quad surface with hexes whose boundary is exactly its quads.
 
     points, quads      as check_surface
     method             "swept": a cap's quads times rings; "cells": any even surface of a convex or
                        star-shaped body, 31 hexes a quad and tetrahedra inside, each cut into 4
-                       hexes; "auto": swept where the surface is a sweep's, else cells.
+                       hexes; "auto": these in this order, until one is certified and good, or
+                       else the best of them: report["log"] tells of each.
                        The TOPOLOGICAL_METHODS are those of Carbonera and Shepherd (2006), for n
                        quads of genus 0: "pyramid" 76 n hexes, "pyramid-alt" 58 n, "geode" 130 n,
                        "geode-alt" 112 n, "pillowed" 139 n without doublets; and of any genus "four-split" 28 n, layers under the
@@ -371,6 +372,8 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
     pairing            topological methods: "all" quads are paired, "none", which needs a surface whose
                        loops do not cross themselves, or your pairs (k, 2) of quads that share an
                        edge, such that no loop crosses itself then
+    budget             seconds after which what is being tried is given up and the best mesh until
+                       then is taken; 0: no limit
     progress           callable (stage, fraction in 0 .. 1); returning False, raising, or Ctrl-C
                        cancels
     allow_uncertified  return the best mesh found even if its certificate fails
@@ -381,17 +384,17 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
     no positive hex can stand), NOT_STAR_SHAPED, NOT_BIPARTITE, NO_PAIRING, BAD_PAIRING (elements:
     quads of pairs that are none), SELF_CROSSING (elements: quads that a loop passes twice), NO_SIDES
     (elements: points of a closed path that crosses a family of loops an odd number of times; never
-    on a sphere), NOT_A_BALL, NOT_CERTIFIED (elements: hexes), CANCELLED, BAD_ARGUMENT,
-    OUT_OF_MEMORY. Topological meshes are returned if they are conforming and their boundary is exact.
+    on a sphere), NOT_A_BALL, NOT_CERTIFIED (elements: hexes), OUT_OF_TIME (before there
+    was a mesh), CANCELLED, BAD_ARGUMENT, OUT_OF_MEMORY. Topological meshes are returned if they are conforming and their boundary is exact.
     Cost: linear in the hexes made, plus the improvement of what is bad.
     """
-    check_options(method, order=order, layers=layers, threads=threads, pairing=pairing)
+    check_options(method, order=order, layers=layers, threads=threads, pairing=pairing, budget=budget)
     mesher = None if tetrahedralise is None else _Mesher(tetrahedralise)
     given = None if isinstance(pairing, str) else _ids(pairing, 2, "pairing")
     return Mesh(_core.mesh(_points(points), _ids(quads, 4, "quads"), METHODS[method], int(order),
                            allow_uncertified, threads, layers, mesher,
                            _GIVEN_PAIRS if given is not None else PAIRINGS[pairing], given,
-                           not certify, progress))
+                           not certify, float(budget), progress))
 
 
 class _Mesher:
@@ -415,7 +418,7 @@ def _check_count(name, value):
                           ErrorCode.BAD_ARGUMENT)
 
 
-def check_options(method="auto", *, order=1, layers=0, threads=0, pairing="all"):
+def check_options(method="auto", *, order=1, layers=0, threads=0, pairing="all", budget=0.0):
     """Raise BAD_ARGUMENT for options that mesh would refuse: for callers with work to do before."""
     if method not in METHODS:
         raise HexconError(f"there is no method {method!r}; there are {', '.join(METHODS)}",
@@ -431,6 +434,8 @@ def check_options(method="auto", *, order=1, layers=0, threads=0, pairing="all")
     if not (isinstance(pairing, str) and pairing == "all") and method not in TOPOLOGICAL_METHODS:
         raise HexconError("a pairing is for the topological methods: "
                           f"{', '.join(sorted(TOPOLOGICAL_METHODS))}", ErrorCode.BAD_ARGUMENT)
+    if isinstance(budget, bool) or not isinstance(budget, (int, float)) or not 0 <= budget < float("inf"):
+        raise HexconError(f"budget must be a number of seconds, not {budget!r}", ErrorCode.BAD_ARGUMENT)
     if isinstance(order, bool) or order not in (1, 2):
         raise HexconError(f"order must be 1 or 2, not {order!r}", ErrorCode.BAD_ARGUMENT)
 

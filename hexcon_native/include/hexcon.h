@@ -57,6 +57,7 @@ typedef enum hexcon_status {
   HEXCON_NOT_STAR_SHAPED,          /**< no point inside sees the whole surface */
   HEXCON_NOT_SWEPT,                /**< elements: quads where the best attempt failed */
   HEXCON_NOT_CERTIFIED,            /**< elements: hexes whose Jacobian is not proved positive */
+  HEXCON_OUT_OF_TIME,              /**< the time budget ran out before there was a mesh */
   HEXCON_STATUS_COUNT
 } hexcon_status;
 
@@ -279,7 +280,8 @@ hexcon_status hexcon_raise_order(hexcon_context *context, const double *points, 
 void hexcon_second_order_free(hexcon_context *context, hexcon_second_order *raised);
 
 typedef enum hexcon_method {
-  HEXCON_METHOD_AUTO = 0, /**< swept where the surface is a sweep's, else cells */
+  HEXCON_METHOD_AUTO = 0, /**< the methods for solvers in the order of their worth, until one is
+                               good; then the best certified mesh */
   HEXCON_METHOD_SWEPT,
   HEXCON_METHOD_CELLS, /**< any even surface of a convex or star-shaped body */
   /* Those of Carbonera and Shepherd, for n quads: topological, so their meshes are conforming, but
@@ -337,7 +339,9 @@ typedef struct hexcon_mesh_options {
   const int32_t *pairs;   /**< [pair_count][2] quads that share an edge, if pairing is GIVEN */
   size_t pair_count;
   bool skip_certificate; /**< prove nothing: the certificate is empty; topological methods leave the
-                              quality out too */
+                              quality out too. auto proves all the same */
+  double budget;         /**< seconds after which nothing new is begun, and what is being done is
+                              given up; the best mesh until then is taken. 0: no limit */
 } hexcon_mesh_options;
 
 /** Result of hexcon_mesh_surface. */
@@ -349,9 +353,9 @@ typedef struct hexcon_mesh hexcon_mesh;
  * @param mesh     receives the result; free with hexcon_mesh_free
  * Errors: those of hexcon_check_surface, SEVERAL_COMPONENTS, ODD, NOT_SWEPT, UNFILLABLE_QUAD,
  * NOT_STAR_SHAPED, NO_PAIRING, BAD_PAIRING, SELF_CROSSING, NO_SIDES, NOT_A_BALL, NOT_CERTIFIED,
- * CANCELLED, BAD_ARGUMENT, OUT_OF_MEMORY; `mesh` is then NULL. A topological mesh that is
- * conforming and has the surface for its boundary is no error. Cost: linear in the hexes made, plus
- * the optimisation of what is bad.
+ * CANCELLED, OUT_OF_TIME, BAD_ARGUMENT, OUT_OF_MEMORY; `mesh` is then NULL. A topological mesh that
+ * is conforming and has the surface for its boundary is no error. Cost: linear in the hexes made,
+ * plus the optimisation of what is bad.
  */
 hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points, size_t point_count,
                                   const int32_t *quads, size_t quad_count,

@@ -327,10 +327,11 @@ static PyObject *mesh(PyObject *module, PyObject *arguments) {
   (void)module;
   Py_buffer points, quads, pairs; /* pairs: buf is NULL for None */
   int method, order, allow_uncertified, threads, layers, pairing, skip_certificate;
+  double budget;
   PyObject *callback, *tetrahedralise;
-  if (!PyArg_ParseTuple(arguments, "y*y*iipiiOiz*pO", &points, &quads, &method, &order,
+  if (!PyArg_ParseTuple(arguments, "y*y*iipiiOiz*pdO", &points, &quads, &method, &order,
                         &allow_uncertified, &threads, &layers, &tetrahedralise, &pairing, &pairs,
-                        &skip_certificate, &callback))
+                        &skip_certificate, &budget, &callback))
     return NULL;
   run r;
   PyObject *result = NULL;
@@ -347,7 +348,8 @@ static PyObject *mesh(PyObject *module, PyObject *arguments) {
                                    .pairing = (hexcon_pairing)pairing,
                                    .pairs = pairs.buf,
                                    .pair_count = (size_t)pairs.len / (2 * sizeof(int32_t)),
-                                   .skip_certificate = skip_certificate != 0};
+                                   .skip_certificate = skip_certificate != 0,
+                                   .budget = budget};
     run_release(&r);
     hexcon_status status =
         hexcon_mesh_surface(r.context, points.buf, buffer_rows(&points, 3, sizeof(double)),
@@ -383,7 +385,7 @@ static PyMethodDef methods[] = {
     {"raise_order", raise_order, METH_VARARGS, "raise_order(points, hexes) -> (points, hexes)"},
     {"mesh", mesh, METH_VARARGS,
      "mesh(points, quads, method, order, allow_uncertified, threads, layers, tetrahedralise, "
-     "pairing, pairs or None, skip_certificate, progress) -> dict"},
+     "pairing, pairs or None, skip_certificate, budget, progress) -> dict"},
     {NULL, NULL, 0, NULL}};
 
 static PyModuleDef_Slot slots[] = {{0, NULL}};

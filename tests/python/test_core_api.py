@@ -469,3 +469,27 @@ def test_certify_order_2():
     mesh = hn.mesh(POINTS, QUADS, order=2)
     assert hn.certify(mesh.points, mesh.hexes, QUADS).certified
     assert hn.quality(mesh.points, mesh.hexes).min == pytest.approx(1)
+
+
+def test_nothing_is_begun_after_the_budget():
+    points, quads = make.box(3, 3, 3)
+    with pytest.raises(hn.HexconError) as fault:
+        hn.mesh(points, quads, "cells", budget=1e-9)
+    assert fault.value.code == Code.OUT_OF_TIME and "time budget" in str(fault.value)
+
+
+@pytest.mark.parametrize("budget", [-1, float("nan"), float("inf"), "10", True])
+def test_budgets_that_are_none(budget):
+    points, quads = make.box(1, 1, 1)
+    with pytest.raises(hn.HexconError) as fault:
+        hn.mesh(points, quads, budget=budget)
+    assert fault.value.code == Code.BAD_ARGUMENT
+
+
+def test_auto_tells_of_every_method_it_tried():
+    points, quads = make.schneiders_pyramid()
+    mesh = hn.mesh(points, quads)
+    told = mesh.report["log"]
+    assert told[0].startswith("swept: not swept")
+    assert any(line.startswith(f"{mesh.method}: {len(mesh.hexes)} hexes") for line in told)
+    assert any(line.startswith(f"chosen: {mesh.method}") for line in told)

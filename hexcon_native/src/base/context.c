@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 static void *c_library_reallocate(void *user, void *memory, size_t size) {
   (void)user;
@@ -68,10 +69,21 @@ hexcon_status context_fail(hexcon_context *context, hexcon_status status, const 
   return status;
 }
 
+double context_clock(void) {
+  struct timespec now;
+  (void)timespec_get(&now, TIME_UTC);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
 hexcon_status context_progress(hexcon_context *context, const char *stage, double fraction) {
-  if (!context->progress || context->progress(context->progress_user, stage, fraction))
-    return HEXCON_OK;
-  return context_fail(context, HEXCON_CANCELLED, "cancelled during %s", stage);
+  if (context->progress && !context->progress(context->progress_user, stage, fraction))
+    return context_fail(context, HEXCON_CANCELLED, "cancelled during %s", stage);
+  if (context->deadline > 0 && context_clock() > context->deadline)
+    return context_fail(context, HEXCON_OUT_OF_TIME,
+                        "the time budget ran out during %s, before there was a mesh: allow more "
+                        "time, or mesh with larger quads",
+                        stage);
+  return HEXCON_OK;
 }
 
 void *context_grow(hexcon_context *context, void *memory, size_t count, size_t size) {

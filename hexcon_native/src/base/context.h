@@ -16,6 +16,7 @@ struct hexcon_context {
   void *progress_user;
   hexcon_reallocate reallocate;
   void *reallocate_user;
+  double deadline; /**< by context_clock; 0: none */
   size_t element_count;
   int32_t elements[CONTEXT_MAX_ELEMENTS];
   char message[512];
@@ -31,7 +32,11 @@ void context_add_element(hexcon_context *context, int32_t element);
 hexcon_status context_fail(hexcon_context *context, hexcon_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/** Report progress; HEXCON_CANCELLED if the user wants to stop, with the error stored. */
+/** Seconds since an arbitrary start. */
+double context_clock(void);
+
+/** Report progress; HEXCON_CANCELLED if the user wants to stop, HEXCON_OUT_OF_TIME after the
+ * deadline, with the error stored. */
 hexcon_status context_progress(hexcon_context *context, const char *stage, double fraction);
 
 /**

@@ -31,6 +31,7 @@ static const char *const status_names[HEXCON_STATUS_COUNT] = {
     [HEXCON_NOT_STAR_SHAPED] = "NOT_STAR_SHAPED",
     [HEXCON_NOT_SWEPT] = "NOT_SWEPT",
     [HEXCON_NOT_CERTIFIED] = "NOT_CERTIFIED",
+    [HEXCON_OUT_OF_TIME] = "OUT_OF_TIME",
 };
 
 const char *hexcon_status_name(int status) {

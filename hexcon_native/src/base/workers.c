@@ -90,6 +90,7 @@ static void run_threads(shared_work *shared, worker *workers, int count) {
     workers[i].context.reallocate_user = shared;
     workers[i].context.progress = report;
     workers[i].context.progress_user = &workers[i];
+    workers[i].context.deadline = shared->parent->deadline;
   }
   while (started < count &&
          thrd_create(&threads[started], run_worker, &workers[started]) == thrd_success)

@@ -2,7 +2,7 @@
 #include "pillow_placement.h"
 
 /** How far a copy goes from its original towards the middles of its hexes. */
-static const double drawn_back = 0.35;
+static const double drawn_back = 0.5;
 
 /** Add a hex's middle, as it was before, to what its copies are drawn to. */
 static void add_middle(const int32_t *hex, const int32_t *originals, size_t first,

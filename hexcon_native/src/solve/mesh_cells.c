@@ -263,6 +263,11 @@ hexcon_status mesh_cells(hexcon_context *context, const surface *s,
   start = mesh_clock();
   if (!status)
     status = polish(context, &p, &best);
+  if (status == HEXCON_OUT_OF_TIME && best.points) {
+    mesh_log(mesh, "the time budget ran out: the best mesh until then");
+    status = HEXCON_OK;
+    context_clear(context);
+  }
   mesh_note_seconds(mesh, "optimisation", start);
   if (!status) {
     mesh_note(mesh, "attempts", (double)tried);

@@ -2,7 +2,6 @@
 #include "mesh_result.h"
 
 #include <stdio.h>
-#include <time.h>
 
 #include "raise_order.h"
 
@@ -22,9 +21,7 @@ void mesh_log(hexcon_mesh *mesh, const char *line) {
 }
 
 double mesh_clock(void) {
-  struct timespec now;
-  (void)timespec_get(&now, TIME_UTC);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+  return context_clock();
 }
 
 void mesh_note_seconds(hexcon_mesh *mesh, const char *stage, double start) {
@@ -48,14 +45,19 @@ hexcon_status mesh_raise_order(hexcon_context *context, hexcon_mesh *mesh) {
   return HEXCON_OK;
 }
 
-void hexcon_mesh_free(hexcon_context *context, hexcon_mesh *mesh) {
-  if (!mesh)
-    return;
+void mesh_clear(hexcon_context *context, hexcon_mesh *mesh) {
   context_free(context, mesh->points);
   context_free(context, mesh->hexes);
   context_free(context, mesh->quads);
   context_free(context, mesh->quality);
   hexcon_certificate_free(context, &mesh->certificate);
+  *mesh = (hexcon_mesh){0};
+}
+
+void hexcon_mesh_free(hexcon_context *context, hexcon_mesh *mesh) {
+  if (!mesh)
+    return;
+  mesh_clear(context, mesh);
   context_free(context, mesh);
 }
 

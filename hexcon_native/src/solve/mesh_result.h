@@ -24,6 +24,9 @@ struct hexcon_mesh {
   char log[MAX_LOG];
 };
 
+/** Free what a mesh holds; it is empty then. */
+void mesh_clear(hexcon_context *context, hexcon_mesh *mesh);
+
 /** Add a figure; those beyond MAX_FIGURES are dropped. */
 void mesh_note(hexcon_mesh *mesh, const char *name, double value);
 

@@ -2,6 +2,7 @@
 /** The public call that fills a surface. */
 #include <string.h>
 
+#include "mesh_auto.h"
 #include "mesh_cells.h"
 #include "mesh_result.h"
 #include "mesh_swept.h"
@@ -38,6 +39,9 @@ static hexcon_status check_options(hexcon_context *context, const hexcon_mesh_op
       options->method != HEXCON_METHOD_CELLS)
     return context_fail(context, HEXCON_BAD_ARGUMENT,
                         "only cells have boundary layers: choose method cells");
+  if (!(options->budget >= 0))
+    return context_fail(context, HEXCON_BAD_ARGUMENT,
+                        "the time budget must be a number of seconds, not below zero");
   return check_pairing_options(context, options);
 }
 
@@ -63,18 +67,26 @@ static hexcon_status check_fillable(hexcon_context *context, const surface *s) {
   return HEXCON_OK;
 }
 
-static hexcon_status certify(hexcon_context *context, const hexcon_mesh_options *options,
-                             hexcon_mesh *mesh) {
-  double start = mesh_clock();
+/** What was made in time is proved, even after the deadline. */
+static hexcon_status certify(hexcon_context *context, hexcon_mesh *mesh) {
+  double start = mesh_clock(), deadline = context->deadline;
+  context->deadline = 0;
   hexcon_status status =
       certificate_make(context, mesh->points, mesh->point_count, mesh->hexes, mesh->hex_count,
                        mesh->quads, mesh->quad_count, &mesh->certificate);
   mesh_note_seconds(mesh, "certificate", start);
-  const hexcon_certificate *c = &mesh->certificate;
   mesh->checked = true;
+  context->deadline = deadline;
+  return status;
+}
+
+/** Refuse what is not proved, unless it was never claimed or the caller wants it all the same. */
+static hexcon_status judge(hexcon_context *context, const hexcon_mesh_options *options,
+                           const hexcon_mesh *mesh) {
+  const hexcon_certificate *c = &mesh->certificate;
   bool good = mesh->topological ? c->conforming && c->boundary_exact : c->certified;
-  if (status || good || options->allow_uncertified)
-    return status;
+  if (good || !mesh->checked || options->allow_uncertified)
+    return HEXCON_OK;
   for (size_t i = 0; i < c->nonpositive_count; i++)
     context_add_element(context, c->nonpositive[i]);
   return context_fail(context, HEXCON_NOT_CERTIFIED,
@@ -88,18 +100,13 @@ static hexcon_status certify(hexcon_context *context, const hexcon_mesh_options 
                                         "there");
 }
 
-/** Boundary layers are asked of cells only: a sweep's rings are what its surface says. */
-static hexcon_status choose_method(hexcon_context *context, const surface *s,
-                                   const hexcon_mesh_options *options, hexcon_mesh *mesh) {
+static hexcon_status construct(hexcon_context *context, const surface *s,
+                               const hexcon_mesh_options *options, hexcon_mesh *mesh) {
   mesh->topological = method_is_topological(options->method);
   if (mesh->topological)
     return mesh_topological(context, s, options, mesh);
-  if (options->method == HEXCON_METHOD_CELLS || options->layers > 0)
-    return mesh_cells(context, s, options, mesh);
-  hexcon_status status = mesh_swept(context, s, mesh);
-  if (status != HEXCON_NOT_SWEPT || options->method != HEXCON_METHOD_AUTO)
-    return status;
-  context_clear(context);
+  if (options->method == HEXCON_METHOD_SWEPT)
+    return mesh_swept(context, s, mesh);
   return mesh_cells(context, s, options, mesh);
 }
 
@@ -115,25 +122,31 @@ static hexcon_status measure(hexcon_context *context, hexcon_mesh *mesh) {
   return HEXCON_OK;
 }
 
-static hexcon_status check_result(hexcon_context *context, const hexcon_mesh_options *options,
-                                  hexcon_mesh *mesh) {
-  if (options->skip_certificate)
-    return HEXCON_OK;
-  hexcon_status status = measure(context, mesh);
-  return status ? status : certify(context, options, mesh);
-}
-
-static hexcon_status fill_surface(hexcon_context *context, const surface *s,
-                                  const hexcon_mesh_options *options, hexcon_mesh *mesh) {
+/** By one method, certified or not. */
+static hexcon_status fill_by_method(hexcon_context *context, const surface *s,
+                                    const hexcon_mesh_options *options, hexcon_mesh *mesh) {
   mesh->quad_count = s->quad_count;
   mesh->quads = context_allocate(context, 4 * s->quad_count, sizeof *mesh->quads);
   if (!mesh->quads)
     return HEXCON_OUT_OF_MEMORY;
   memcpy(mesh->quads, s->quads, 4 * s->quad_count * sizeof *mesh->quads);
   mesh_note(mesh, "turned outward", s->turned);
-  hexcon_status status = choose_method(context, s, options, mesh);
+  hexcon_status status = construct(context, s, options, mesh);
+  if (status || options->skip_certificate)
+    return status;
+  status = measure(context, mesh);
+  return status ? status : certify(context, mesh);
+}
+
+static hexcon_status fill_surface(hexcon_context *context, const surface *s,
+                                  const hexcon_mesh_options *options, hexcon_mesh *mesh) {
+  hexcon_mesh_options proving = *options;
+  proving.skip_certificate = false;
+  hexcon_status status = options->method == HEXCON_METHOD_AUTO
+                             ? mesh_auto(context, s, &proving, fill_by_method, mesh)
+                             : fill_by_method(context, s, options, mesh);
   if (!status)
-    status = check_result(context, options, mesh);
+    status = judge(context, options, mesh);
   if (!status && options->order == 2) {
     double start = mesh_clock();
     status = mesh_raise_order(context, mesh);
@@ -152,7 +165,8 @@ hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points,
   if (status)
     return status;
   surface s;
-  double start = mesh_clock();
+  double start = mesh_clock(), checked = start;
+  context->deadline = chosen.budget > 0 ? start + chosen.budget : 0;
   status = surface_build(context, points, point_count, quads, quad_count, &s);
   if (!status)
     status = check_fillable(context, &s);
@@ -160,10 +174,12 @@ hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points,
   if (!status && !made)
     status = HEXCON_OUT_OF_MEMORY;
   if (!status) {
-    mesh_note_seconds(made, "checks", start);
+    checked = mesh_clock();
     status = fill_surface(context, &s, &chosen, made);
+    mesh_note(made, "seconds checks", checked - start);
   }
   surface_free(context, &s);
+  context->deadline = 0;
   if (status)
     hexcon_mesh_free(context, made);
   else

@@ -64,6 +64,9 @@ def _add_filling(command, method="auto"):
                               ".FCStd, solve")
     command.add_argument("--timeout", type=float, default=120.0, metavar="S",
                          help="seconds for gmsh (default 120)")
+    command.add_argument("--budget", type=float, default=0.0, metavar="S",
+                         help="seconds for filling: the best mesh until then is taken (default: no "
+                              "limit)")
 
 
 def _add_mesh(commands_parser):

@@ -58,8 +58,8 @@ def _surface_input(argument):
 def filling(options):
     """The options of mesh_quad_surface among the command line's."""
     return {"method": options.method, "order": options.order, "layers": options.layers,
-            "timeout": options.timeout, "allow_uncertified": options.allow_uncertified,
-            **pairing_option(options.pairing)}
+            "timeout": options.timeout, "budget": options.budget,
+            "allow_uncertified": options.allow_uncertified, **pairing_option(options.pairing)}
 
 
 def _mesh_input(options):

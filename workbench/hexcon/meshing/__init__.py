@@ -84,14 +84,15 @@ def mesh_solid(shape_or_file, size, *, surface_method="auto", method="auto", tim
     method          how the surface is filled: hexcon_native.METHODS
     timeout         seconds for gmsh
     progress        callable (stage, fraction); returning False or raising cancels
-    options         order, layers, threads, allow_uncertified, and for the topological methods
+    options         order, layers, threads, budget, allow_uncertified, and for the topological methods
                     pairing and certify: as hexcon_native.mesh
     Returns a Mesh with more attributes: .surface (quads.QuadSurface), .face_of_quad ((n,) int64,
     1-based CAD face of each boundary quad) and .solid (shape_or_file).
     Raises HexconError: those of quads.surface_from_solid and hexcon_native.mesh.
     """
     hexcon_native.check_options(method, **{name: options[name] for name in
-                                           ("order", "layers", "threads") if name in options})
+                                           ("order", "layers", "threads", "pairing", "budget")
+                                           if name in options})
     started = time.monotonic()
     surface = surface_from_solid(shape_or_file, size, surface_method, timeout=timeout,
                                  progress=_raising(progress))

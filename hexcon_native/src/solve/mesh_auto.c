@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+#include "mesh_auto.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/** A method, and when nothing after it is tried any more. */
+typedef struct candidate {
+  hexcon_method method;
+  const char *name;
+  bool has_layers;   /* takes options->layers */
+  double good_worst; /* scaled Jacobian, or nearly what the surface allows */
+} candidate;
+
+/** In the order of their worth: fewest hexes first. The fewer a method takes, the less its
+ * successors can win, so the lower is what suffices. */
+static const candidate candidates[] = {
+    {HEXCON_METHOD_SWEPT, "swept", false, 0.1},
+    {HEXCON_METHOD_CELLS, "cells", true, 0},
+};
+
+enum { CANDIDATES = sizeof candidates / sizeof *candidates };
+
+/** As good as the surface allows is good. */
+static const double near_the_bound = 0.8;
+
+/** Differences below this are none; a worst scaled Jacobian above the second is as good as any. */
+static const double clearly = 0.05, as_good_as_any = 0.3;
+
+static double worst_of(const hexcon_mesh *mesh) {
+  double worst = 1;
+  for (size_t h = 0; h < mesh->hex_count; h++)
+    worst = fmin(worst, mesh->quality[h]);
+  return worst;
+}
+
+static double mean_of(const hexcon_mesh *mesh) {
+  double mean = 0;
+  for (size_t h = 0; h < mesh->hex_count; h++)
+    mean += mesh->quality[h] / (double)mesh->hex_count;
+  return mean;
+}
+
+/** Certified before not; then the worst scaled Jacobian, the mean, the size. */
+static bool is_better(const hexcon_mesh *a, const hexcon_mesh *b) {
+  if (!b->hexes || a->certificate.certified != b->certificate.certified)
+    return !b->hexes || a->certificate.certified;
+  double worst = fmin(worst_of(a), as_good_as_any) - fmin(worst_of(b), as_good_as_any);
+  double mean = mean_of(a) - mean_of(b);
+  if (fabs(worst) > clearly)
+    return worst > 0;
+  return fabs(mean) > clearly ? mean > 0 : a->hex_count < b->hex_count;
+}
+
+/** Whether a fault only says that the method is not for this surface. */
+static bool is_about_method(hexcon_status status) {
+  return status != HEXCON_OUT_OF_MEMORY && status != HEXCON_CANCELLED &&
+         status != HEXCON_OUT_OF_TIME;
+}
+
+static void log_mesh(hexcon_mesh *told, const candidate *c, const hexcon_mesh *mesh) {
+  char line[256];
+  (void)snprintf(line, sizeof line, "%s: %zu hexes, scaled Jacobian min %.4f, mean %.4f, %s",
+                 c->name, mesh->hex_count, worst_of(mesh), mean_of(mesh),
+                 mesh->certificate.certified ? "certified" : "not certified");
+  mesh_log(told, line);
+}
+
+static void log_fault(const hexcon_context *context, hexcon_mesh *told, const candidate *c) {
+  char line[640];
+  (void)snprintf(line, sizeof line, "%s: %s", c->name, context->message);
+  mesh_log(told, line);
+}
+
+static bool is_good(const candidate *c, const hexcon_mesh *mesh) {
+  double wanted = fmin(c->good_worst, near_the_bound * mesh->bound);
+  return mesh->certificate.certified && worst_of(mesh) >= wanted;
+}
+
+/** Give the best mesh's own log the account of what was tried. */
+static void append_log(hexcon_mesh *told, const hexcon_mesh *best) {
+  char line[MAX_LOG];
+  size_t length = 0;
+  for (size_t i = 0; i < best->log_length; i++) {
+    line[length++] = best->log[i];
+    if (best->log[i] == '\n') {
+      line[length - 1] = '\0';
+      mesh_log(told, line);
+      length = 0;
+    }
+  }
+}
+
+/** Try one method. @param good receives whether no other is needed */
+static hexcon_status try_candidate(hexcon_context *context, const surface *s,
+                                   const hexcon_mesh_options *options, mesh_by_method fill,
+                                   const candidate *c, hexcon_mesh *told, hexcon_mesh *best,
+                                   bool *good) {
+  hexcon_mesh_options chosen = *options;
+  hexcon_mesh *made = context_allocate_zeroed(context, 1, sizeof *made);
+  if (!made)
+    return HEXCON_OUT_OF_MEMORY;
+  chosen.method = c->method;
+  context_clear(context);
+  hexcon_status status = fill(context, s, &chosen, made);
+  if (status) {
+    log_fault(context, told, c);
+  } else {
+    log_mesh(told, c, made);
+    *good = is_good(c, made);
+    if (is_better(made, best)) {
+      mesh_clear(context, best);
+      *best = *made;
+      *made = (hexcon_mesh){0};
+    }
+  }
+  hexcon_mesh_free(context, made);
+  return status;
+}
+
+static void explain(hexcon_mesh *told, const hexcon_mesh *best, bool good) {
+  char line[160];
+  (void)snprintf(line, sizeof line, "chosen: %s, %s", best->method,
+                 !best->certificate.certified ? "though it is not certified"
+                 : good                       ? "the first that is good enough"
+                                              : "the best of these");
+  mesh_log(told, line);
+}
+
+hexcon_status mesh_auto(hexcon_context *context, const surface *s,
+                        const hexcon_mesh_options *options, mesh_by_method fill,
+                        hexcon_mesh *mesh) {
+  hexcon_mesh *told = context_allocate_zeroed(context, 1, sizeof *told);
+  if (!told)
+    return HEXCON_OUT_OF_MEMORY;
+  hexcon_status status = HEXCON_OK;
+  bool good = false;
+  for (size_t i = 0; i < CANDIDATES && !good; i++) {
+    if (options->layers > 0 && !candidates[i].has_layers)
+      continue;
+    status = try_candidate(context, s, options, fill, &candidates[i], told, mesh, &good);
+    if (status && !is_about_method(status))
+      break;
+  }
+  if (mesh->hexes && (is_about_method(status) || status == HEXCON_OUT_OF_TIME)) {
+    status = HEXCON_OK;
+    context_clear(context);
+    explain(told, mesh, good);
+    append_log(told, mesh);
+    memcpy(mesh->log, told->log, sizeof mesh->log);
+    mesh->log_length = told->log_length;
+  }
+  hexcon_mesh_free(context, told);
+  return status;
+}
