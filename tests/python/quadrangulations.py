@@ -1,13 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Quadrangulations of the sphere that a convex polyhedron can have: simple and 3-connected.
+"""Quadrangulations of the sphere: those that a convex polyhedron can have, simple and 3-connected, and
+random_simple_quadrangulation, which makes others too.
 
-Given as quads (n, 4) int over the points 0 .. n + 1, turned alike; no coordinates.
+Given as quads (n, 4) int over the points 0 .. n + 1, turned alike; no coordinates, but sphere_points finds some.
 3-connected means here: no edge twice, and no two points opposite each other in two quads. (Two points
 whose removal cuts a simple quadrangulation are opposite in two quads, and the other way round.)
 """
 import collections
 
 import numpy as np
+from scipy.sparse import coo_matrix, diags
+from scipy.sparse.linalg import spsolve
+
+
+def is_simple(quads):
+    """No edge twice, and no quad with a point twice, for the quads (n, 4) of a sphere."""
+    edges = np.sort(np.stack([quads, np.roll(quads, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
+    twice = np.unique(edges, axis=0, return_counts=True)[1]
+    corners = np.sort(quads, axis=1)
+    return bool((twice == 2).all() and (corners[:, 1:] != corners[:, :-1]).all())
 
 
 def is_polyhedral(quads):
@@ -161,6 +172,69 @@ def random_quadrangulation(rng, n, evenness=0.0):
     for _ in range(40):
         slide_some(n)
     return moves.quads()
+
+
+class SimpleMoves(Moves):
+    """A quadrangulation under change that stays simple: points of two neighbours, which lie opposite each other in two
+    quads that share two edges (a face doublet), and other cycles of four edges with points on both sides may come."""
+
+    def _add(self, a, b, c, d):
+        self.after.update({(a, b): c, (b, c): d, (c, d): a, (d, a): b})    # diagonals do not matter: none is kept
+
+    def slide(self, a, b, allow):
+        """As Moves; not done where a point would keep one neighbour."""
+        return min(self.degree[a], self.degree[b]) > 2 and super().slide(a, b, allow)
+
+
+def random_simple_quadrangulation(rng, n, three_connected=False):
+    """n quads (n, 4) int64 over the points 0 .. n + 1, n >= 2, turned alike: from two quads by splits of points, and
+    slides after each. Some points have two neighbours, about two in five of many.
+
+    three_connected  random_quadrangulation(rng, n) instead: n = 6 or n >= 8
+    """
+    if three_connected:
+        return random_quadrangulation(rng, n)
+    if n < 2:
+        raise ValueError("there is none of so few quads")
+    moves = SimpleMoves([[0, 1, 2, 3], [3, 2, 1, 0]])
+    while len(moves.degree) < n + 2:
+        edges = list(moves.after)
+        point, first = edges[rng.integers(len(edges))]
+        moves.split(point, *rng.permutation(moves.around(point, first))[:2].tolist())
+        _slide_some(rng, moves, 4)
+    _slide_some(rng, moves, 20 * n)
+    return moves.quads()
+
+
+def _slide_some(rng, moves, tries):
+    edges = list(moves.after)
+    for k in rng.integers(len(edges), size=tries).tolist():
+        if edges[k] in moves.after:
+            moves.slide(*edges[k], lambda change: True)
+
+
+def sphere_points(quads):
+    """(n + 2, 3) float64: distinct points of the unit sphere for a simple quadrangulation (n, 4), n >= 3.
+
+    Most quads are counter-clockwise seen from outside; many are narrow, tiny or not convex, and some folded. Made by
+    Tutte's drawing: each point in the mean of its neighbours and of the middles of its quads, those in the mean of
+    their corners, the first quad outside; then up to the sphere.
+    """
+    quads = np.asarray(quads)
+    n, size = len(quads), len(quads) + 2
+    edges = np.stack([quads, np.roll(quads, -1, axis=1)], axis=2).reshape(-1, 2)
+    arms = np.column_stack([quads[1:].ravel(), np.repeat(size + np.arange(n - 1), 4)])
+    a, b = np.vstack([edges, arms, arms[:, ::-1]]).T
+    joined = coo_matrix((np.ones(len(a)), (a, b)), shape=(size + n - 1,) * 2).tocsr()
+    pull = diags(np.asarray(joined.sum(axis=1)).ravel()) - joined
+    free = np.setdiff1d(np.arange(size + n - 1), quads[0])
+    places = np.zeros((size + n - 1, 2))
+    places[quads[0]] = [[-1, -1], [-1, 1], [1, 1], [1, -1]]
+    places[free] = spsolve(pull.tocsr()[free][:, free].tocsc(), -pull.tocsr()[free] @ places)
+    places = places[:size] - np.median(places[:size], axis=0)
+    places /= np.median((places ** 2).sum(axis=1)) ** 0.5
+    square = (places ** 2).sum(axis=1, keepdims=True)
+    return np.hstack([2 * places, 1 - square]) / (1 + square)
 
 
 def canonical_code(quads):

@@ -7,8 +7,9 @@ from paper_surfaces import eppsteins_cubes, paper_surfaces, quadrilateral_octahe
 from polyhedra import canonical_polyhedron, random_polyhedron
 from quad_figures import (convexity, corner_angles, edge_lengths, face_doublets, flat_corners, hidden_corners,
                           planarity, tangency)
-from quadrangulations import (all_quadrangulations, canonical_code, double_wheel, is_polyhedral,
-                              random_quadrangulation)
+from quadrangulations import (all_quadrangulations, canonical_code, double_wheel, is_polyhedral, is_simple,
+                              random_quadrangulation, random_simple_quadrangulation, sphere_points)
+from scipy.spatial.distance import pdist
 
 import hexcon_native as hn
 
@@ -77,6 +78,69 @@ def test_evenness_spreads_the_degrees():
 def test_no_quadrangulation_of_7():
     with pytest.raises(ValueError):
         random_quadrangulation(np.random.default_rng(1), 7)
+
+
+@pytest.mark.parametrize("n", (2, 3, 4, 5, 6, 7, 20, 60, 400))
+def test_random_simple_quadrangulation(n):
+    quads = random_simple_quadrangulation(np.random.default_rng(n), n)
+    assert quads.shape == (n, 4) and is_simple(quads)
+    assert np.array_equal(np.unique(quads), np.arange(n + 2))
+    degrees = np.bincount(quads.ravel())
+    assert degrees.min() == 2 and (n < 20 or 0.3 < (degrees == 2).mean() < 0.6)
+    again = random_simple_quadrangulation(np.random.default_rng(n), n)
+    assert np.array_equal(quads, again)
+    if n > 20:
+        other = random_simple_quadrangulation(np.random.default_rng(n + 1), n)
+        assert not np.array_equal(quads, other) and canonical_code(quads) != canonical_code(other)
+
+
+def test_random_simple_quadrangulations_reach_every_small_one():
+    """So many there are of 3 to 7 quads, up to mirror images (OEIS A113201)."""
+    rng = np.random.default_rng(1)
+    for n, count in ((3, 1), (4, 2), (5, 3), (6, 9), (7, 18)):
+        found = {canonical_code(random_simple_quadrangulation(rng, n)) for _ in range(60 * count)}
+        assert len(found) == count
+
+
+def test_random_simple_quadrangulations_have_separating_cycles():
+    """Not face doublets only: two points opposite in two quads whose other points have more neighbours than two."""
+    rng, found = np.random.default_rng(2), 0
+    for _ in range(20):
+        quads = random_simple_quadrangulation(rng, 200)
+        others = (np.bincount(quads.ravel()) > 2)[quads]
+        diagonals = np.vstack([quads[others[:, [1, 3]].all(axis=1)][:, [0, 2]],
+                               quads[others[:, [0, 2]].all(axis=1)][:, [1, 3]]])
+        found += len(np.unique(np.sort(diagonals, axis=1), axis=0)) < len(diagonals)
+    assert found > 10
+
+
+@pytest.mark.parametrize("n", (6, 8, 60))
+def test_three_connected_if_asked(n):
+    quads = random_simple_quadrangulation(np.random.default_rng(n), n, three_connected=True)
+    assert quads.shape == (n, 4) and is_polyhedral(quads)
+    assert not is_polyhedral(random_simple_quadrangulation(np.random.default_rng(n), n))
+    with pytest.raises(ValueError):
+        random_simple_quadrangulation(np.random.default_rng(n), 7, three_connected=True)
+    with pytest.raises(ValueError):
+        random_simple_quadrangulation(np.random.default_rng(n), 1)
+
+
+def test_not_simple():
+    twice = np.array([[0, 1, 2, 3], [0, 3, 2, 4], [0, 4, 2, 1]])
+    assert is_simple(twice) and is_simple(double_wheel(3))
+    assert not is_simple(np.array([[0, 1, 2, 1], [0, 1, 2, 1]]))
+    assert not is_simple(np.array([[0, 1, 2, 3], [3, 2, 1, 0], [0, 1, 4, 5], [5, 4, 1, 0]]))
+
+
+@pytest.mark.parametrize("n", (3, 4, 12, 60, 400))
+def test_sphere_points(n):
+    for seed in range(5):
+        quads = random_simple_quadrangulation(np.random.default_rng([n, seed]), n)
+        points = sphere_points(quads)
+        assert points.shape == (n + 2, 3) and np.allclose(np.linalg.norm(points, axis=1), 1)
+        assert pdist(points).min() > 1e-10
+        report = hn.check_surface(points, quads)
+        assert (report.genus, report.components) == (0, 1) and report.oriented and report.bipartite
 
 
 def _is_canonical(points, quads):
