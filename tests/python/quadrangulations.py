@@ -175,42 +175,58 @@ def random_quadrangulation(rng, n, evenness=0.0):
 
 
 class SimpleMoves(Moves):
-    """A quadrangulation under change that stays simple: points of two neighbours, which lie opposite each other in two
-    quads that share two edges (a face doublet), and other cycles of four edges with points on both sides may come."""
+    """A quadrangulation under change that stays simple, and whose points keep `least_degree` neighbours, 2 or 3: there
+    may be cycles of four edges with points on both sides. A point of two neighbours lies in two quads that share two
+    edges (a face doublet)."""
+
+    def __init__(self, quads, least_degree):
+        super().__init__(quads)
+        self.least_degree = least_degree
 
     def _add(self, a, b, c, d):
-        self.after.update({(a, b): c, (b, c): d, (c, d): a, (d, a): b})    # diagonals do not matter: none is kept
+        self.after.update({(a, b): c, (b, c): d, (c, d): a, (d, a): b})    # no diagonals: they do not matter here
 
     def slide(self, a, b, allow):
-        """As Moves; not done where a point would keep one neighbour."""
-        return min(self.degree[a], self.degree[b]) > 2 and super().slide(a, b, allow)
+        return min(self.degree[a], self.degree[b]) > self.least_degree and super().slide(a, b, allow)
+
+    def split(self, point, one, two):
+        ring = self.around(point, one)
+        moved = ring.index(two) + 1
+        return min(moved, len(ring) + 2 - moved) >= self.least_degree and super().split(point, one, two)
 
 
-def random_simple_quadrangulation(rng, n, three_connected=False):
-    """n quads (n, 4) int64 over the points 0 .. n + 1, n >= 2, turned alike: from two quads by splits of points, and
-    slides after each. Some points have two neighbours, about two in five of many.
+def random_simple_quadrangulation(rng, n, least_degree=2, evenness=0.0, three_connected=False):
+    """n quads (n, 4) int64 over the points 0 .. n + 1, turned alike: simple, from few quads by splits of points, and
+    slides after each.
 
-    three_connected  random_quadrangulation(rng, n) instead: n = 6 or n >= 8
+    least_degree     2: about two points in five have two neighbours if evenness is 0; any n of at least 2. 3: none
+                     has, but cycles of four edges separate points; n = 6 or n >= 8
+    evenness         as random_quadrangulation
+    three_connected  random_quadrangulation(rng, n, evenness) instead
     """
     if three_connected:
-        return random_quadrangulation(rng, n)
-    if n < 2:
+        return random_quadrangulation(rng, n, evenness)
+    if n < 2 or (least_degree == 3 and n in (2, 3, 4, 5, 7)):
         raise ValueError("there is none of so few quads")
-    moves = SimpleMoves([[0, 1, 2, 3], [3, 2, 1, 0]])
+    few = double_wheel(3 if n == 6 else 4) if least_degree == 3 else [[0, 1, 2, 3], [3, 2, 1, 0]]
+    moves = SimpleMoves(few, least_degree)
+
+    def allow(change):
+        return change <= 0 or rng.random() < np.exp(-evenness * change)
     while len(moves.degree) < n + 2:
         edges = list(moves.after)
         point, first = edges[rng.integers(len(edges))]
         moves.split(point, *rng.permutation(moves.around(point, first))[:2].tolist())
-        _slide_some(rng, moves, 4)
-    _slide_some(rng, moves, 20 * n)
+        _slide_some(rng, moves, 4, allow)
+    _slide_some(rng, moves, 20 * n, allow)
     return moves.quads()
 
 
-def _slide_some(rng, moves, tries):
+def _slide_some(rng, moves, tries, allow):
     edges = list(moves.after)
     for k in rng.integers(len(edges), size=tries).tolist():
         if edges[k] in moves.after:
-            moves.slide(*edges[k], lambda change: True)
+            moves.slide(*edges[k], allow)
 
 
 def sphere_points(quads):

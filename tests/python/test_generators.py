@@ -114,15 +114,22 @@ def test_random_simple_quadrangulations_have_separating_cycles():
     assert found > 10
 
 
-@pytest.mark.parametrize("n", (6, 8, 60))
-def test_three_connected_if_asked(n):
-    quads = random_simple_quadrangulation(np.random.default_rng(n), n, three_connected=True)
-    assert quads.shape == (n, 4) and is_polyhedral(quads)
-    assert not is_polyhedral(random_simple_quadrangulation(np.random.default_rng(n), n))
-    with pytest.raises(ValueError):
-        random_simple_quadrangulation(np.random.default_rng(n), 7, three_connected=True)
-    with pytest.raises(ValueError):
-        random_simple_quadrangulation(np.random.default_rng(n), 1)
+@pytest.mark.parametrize("n", (6, 8, 9, 10, 60))
+def test_least_degree_and_three_connected(n):
+    loose, three, connected = (random_simple_quadrangulation(np.random.default_rng(n), n, **options)
+                               for options in ({}, {"least_degree": 3}, {"three_connected": True}))
+    assert not is_polyhedral(loose) and is_polyhedral(connected) and is_simple(three)
+    assert np.bincount(three.ravel()).min() == 3 and three.shape == (n, 4)
+    assert is_polyhedral(three) == (n < 60)    # the smallest that is not has 11 quads or more
+    for quads, options in ((7, {"least_degree": 3}), (7, {"three_connected": True}), (1, {})):
+        with pytest.raises(ValueError):
+            random_simple_quadrangulation(np.random.default_rng(n), quads, **options)
+
+
+def test_evenness_of_simple_ones():
+    wild, even = (np.bincount(random_simple_quadrangulation(np.random.default_rng(3), 200, 2, evenness).ravel())
+                  for evenness in (0.0, 3.0))
+    assert (wild == 2).sum() > 3 * (even == 2).sum() > 0 and even.max() < wild.max()
 
 
 def test_not_simple():
