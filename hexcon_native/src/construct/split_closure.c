@@ -97,7 +97,7 @@ hexcon_status split_closure_new(hexcon_context *context, const split_front *fron
     status = read_roles(context, out);
   const surface *s = front->s;
   out->first_corner = first_point;
-  out->first_edge = out->first_corner + out->corner_points * s->point_count;
+  out->first_edge = out->first_corner + out->corner_points * front->corner_count;
   out->first_quad = out->first_edge + out->edge_points * front->edge_count;
   out->point_count = out->first_quad + out->quad_points * s->quad_count + out->has_apex;
   if (!status && out->point_count > CONTEXT_MAX_COUNT)
@@ -137,7 +137,7 @@ void split_closure_points(const split_closure *c, size_t quad, int32_t *points) 
       id = (size_t)f->points[split_center_node(f, quad)];
       break;
     case INNER_CORNER:
-      id = c->first_corner + corner;
+      id = c->first_corner + (size_t)f->corners[corner];
       break;
     case SIDE:
       id = of_edge + role.offset;

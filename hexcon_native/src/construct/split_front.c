@@ -17,6 +17,16 @@ typedef struct split_layer {
   mean_points *points;
 } split_layer;
 
+/** Number the coarse points that quads have, in ascending order. */
+static void number_corners(const surface *s, split_front *out) {
+  memset(out->corners, -1, s->point_count * sizeof *out->corners);
+  for (size_t i = 0; i < 4 * s->quad_count; i++)
+    out->corners[s->quads[i]] = 0;
+  for (size_t v = 0; v < s->point_count; v++)
+    if (out->corners[v] == 0)
+      out->corners[v] = (int32_t)out->corner_count++;
+}
+
 hexcon_status split_front_new(hexcon_context *context, const surface *s, split_front *out) {
   size_t corners = 4 * s->quad_count;
   memset(out, 0, sizeof *out);
@@ -24,19 +34,22 @@ hexcon_status split_front_new(hexcon_context *context, const surface *s, split_f
   out->edge_count = 2 * s->quad_count;
   out->node_count = s->point_count + out->edge_count + s->quad_count;
   out->edges = context_allocate(context, corners, sizeof *out->edges);
+  out->corners = context_allocate(context, s->point_count, sizeof *out->corners);
   out->points = context_allocate(context, out->node_count, sizeof *out->points);
-  if (!out->edges || !out->points)
+  if (!out->edges || !out->corners || !out->points)
     return HEXCON_OUT_OF_MEMORY;
+  number_corners(s, out);
   int32_t next = 0;
   for (size_t h = 0; h < corners; h++)
     out->edges[h] = (size_t)s->twins[h] < h ? out->edges[s->twins[h]] : next++;
   for (size_t node = 0; node < out->node_count; node++)
-    out->points[node] = node < s->point_count ? (int32_t)node : -1;
+    out->points[node] = node < s->point_count && out->corners[node] >= 0 ? (int32_t)node : -1;
   return HEXCON_OK;
 }
 
 void split_front_free(hexcon_context *context, split_front *front) {
   context_free(context, front->edges);
+  context_free(context, front->corners);
   context_free(context, front->points);
   memset(front, 0, sizeof *front);
 }
@@ -116,7 +129,8 @@ static void mark_nodes(const split_layer *l) {
   const surface *s = f->s;
   memset(l->nodes, ABSENT, f->node_count);
   for (size_t v = 0; v < s->point_count; v++)
-    l->nodes[v] = l->sides[v] == l->left ? LEFT : RIGHT;
+    if (f->points[v] >= 0)
+      l->nodes[v] = l->sides[v] == l->left ? LEFT : RIGHT;
   for (int32_t h = 0; h < (int32_t)(4 * s->quad_count); h++)
     if (s->twins[h] > h) {
       size_t node = split_edge_node(f, h);

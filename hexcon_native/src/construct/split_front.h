@@ -18,12 +18,15 @@ typedef enum split_kind {
   SPLIT_ALTERNATIVE /**< 1 hex on crossed quads and those to the left: Mitchell's */
 } split_kind;
 
-/** Nodes are the coarse points, then the coarse edges' middles, then the coarse quads' centres. */
+/** Nodes are the coarse points, then the coarse edges' middles, then the coarse quads' centres.
+ * Points of the mesh that no coarse quad has are nodes without a point. */
 typedef struct split_front {
   const surface *s;  /**< the coarse surface */
   int32_t *edges;    /**< [4 * quad_count] number of every half-edge's edge, in the order of the
                           lower half-edges */
   size_t edge_count; /**< 2 * quad_count */
+  int32_t *corners; /**< [point_count] number of every coarse point that a quad has; -1: none has */
+  size_t corner_count;
   size_t node_count; /**< point_count + edge_count + quad_count */
   int32_t *points;   /**< [node_count] the mesh's point at every node; -1: not split there */
 } split_front;

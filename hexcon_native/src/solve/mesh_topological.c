@@ -223,6 +223,18 @@ static hexcon_status fill_inside(hexcon_context *context, const recipe *r,
   return status;
 }
 
+/** Two quads alone have the same four corners, and a mesh knows a face by its corners. */
+static hexcon_status check_distinct(hexcon_context *context, const surface *s) {
+  if (s->quad_count > 2)
+    return HEXCON_OK;
+  context_add_element(context, 0);
+  context_add_element(context, 1);
+  return context_fail(
+      context, HEXCON_UNFILLABLE_QUAD,
+      "the surface is two quads (listed) with the same four corners: in a mesh both "
+      "would be one face");
+}
+
 static hexcon_status check_closable(hexcon_context *context, const surface *s, const recipe *r) {
   if (!r->close || s->point_count == s->quad_count + 2)
     return HEXCON_OK;
@@ -238,7 +250,9 @@ hexcon_status mesh_topological(hexcon_context *context, const surface *s,
   nested_mesh nested = {0};
   paired_quads paired = {0};
   bool star_shaped = false;
-  hexcon_status status = check_closable(context, s, r);
+  hexcon_status status = check_distinct(context, s);
+  if (!status)
+    status = check_closable(context, s, r);
   if (!status)
     status = nested_mesh_new(context, s, &nested, &star_shaped);
   if (!status)

@@ -14,8 +14,8 @@ bool method_is_topological(hexcon_method method);
  * where there is none, about the mean of the points; then hexes may overlap.
  * @param mesh  its points, hexes and method are filled, stage by stage from outside; quality is
  *              not. four-split: the front's quads are appended to its quads. The caller frees
- * Errors: NO_PAIRING, BAD_PAIRING, SELF_CROSSING, NO_SIDES, NOT_A_BALL, CANCELLED, OUT_OF_MEMORY,
- * TOO_LARGE. Cost: linear in the hexes, after the pairing.
+ * Errors: UNFILLABLE_QUAD (two quads in all), NO_PAIRING, BAD_PAIRING, SELF_CROSSING, NO_SIDES,
+ * NOT_A_BALL, CANCELLED, OUT_OF_MEMORY, TOO_LARGE. Cost: linear in the hexes, after the pairing.
  */
 hexcon_status mesh_topological(hexcon_context *context, const surface *s,
                                const hexcon_mesh_options *options, hexcon_mesh *mesh);
