@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the paper's methods promise, worked out again from the quads alone: loops, families, sides, counts.
 
-Quads are (n, 4) of a closed surface, all turned alike. No code shared with the core.
+Quads are (n, 4) of a closed surface, all turned alike. No code shared with the core, which only `raised` calls.
 """
 import collections
 import itertools
 
 import numpy as np
+import pytest
 from mesh_checker import boundary_faults, conformity_faults, euler, jacobians
 from scipy.optimize import Bounds, LinearConstraint, milp
 from scipy.sparse import coo_matrix
+
+import hexcon_native as hn
 
 # Hexes on a quad of the paired surface: layers, and then what closes.
 ON_PAIRED = {"four-split": 9, "pyramid": 9 + 16, "pyramid-alt": 3 + 16, "geode": 9 + 26 + 8, "geode-alt": 3 + 26 + 8}
@@ -17,6 +20,15 @@ ON_PAIRED = {"four-split": 9, "pyramid": 9 + 16, "pyramid-alt": 3 + 16, "geode":
 ON_GIVEN = {method: 1 + 3 * count for method, count in ON_PAIRED.items()}
 ALTERNATIVE = ("pyramid-alt", "geode-alt")
 _GAUSS = np.array(list(itertools.product((0.5 - 3 ** -0.5 / 2, 0.5 + 3 ** -0.5 / 2), repeat=3)))
+
+
+def raised(code, *arguments, **options):
+    """Elements of the error that hn.mesh raises."""
+    with pytest.raises(hn.HexconError) as fault:
+        hn.mesh(*arguments, **options)
+    assert fault.value.code == hn.ErrorCode[code], fault.value
+    assert str(fault.value)
+    return fault.value.elements
 
 
 def volumes(mesh):
@@ -171,6 +183,24 @@ def neighbours(quads):
                 found[tuple(sorted((first[b, a], q)))] += 1
             first[a, b] = q
     return found
+
+
+def paired_quads(quads, pairs):
+    """The surface under two hexes on each pair, by figure 2 of the paper: quads (F, 4), six a pair, then those of no
+    pair; and the quad that each of them is, -1 for those of pairs. Quads of a pair share one edge."""
+    quads = np.asarray(quads).tolist()
+    found, source, new = [], [], itertools.count(1 + max(map(max, quads)))
+    for one, two in pairs:
+        p, r = quads[one], quads[two]
+        k, j = next((k, j) for k in range(4) for j in range(4) if (p[k], p[k - 3]) == (r[j - 3], r[j]))
+        v2, v5, v4, v1 = (p[(k + i) % 4] for i in range(4))
+        v3, v6 = r[(j + 2) % 4], r[(j + 3) % 4]
+        v7, v8, v9, v10 = (next(new) for _ in range(4))
+        found += [(v1, v2, v7, v8), (v7, v2, v3, v8), (v1, v8, v9, v4), (v8, v3, v6, v9), (v4, v9, v10, v5),
+                  (v9, v6, v5, v10)]
+        source += [-1] * 6
+    free = sorted(set(range(len(quads))) - {int(q) for pair in pairs for q in pair})
+    return np.array(found + [quads[q] for q in free]), np.array(source + free)
 
 
 def can_pair_across_single_edges(quads):

@@ -96,6 +96,13 @@ hexcon_status paired_transition_build(hexcon_context *context, const surface *s,
   return HEXCON_OK;
 }
 
+int32_t paired_transition_end(size_t first, size_t pairs, const int32_t *hexes, int32_t point) {
+  if ((size_t)point < first)
+    return point;
+  size_t end = ((size_t)point - first) % (2 * pairs); /* all ridges, then all their feet */
+  return hexes[16 * (end / 2) + 1 + end % 2];
+}
+
 void paired_quads_free(hexcon_context *context, paired_quads *paired) {
   context_free(context, paired->quads);
   context_free(context, paired->hexes);

@@ -31,6 +31,12 @@ typedef struct paired_quads {
 hexcon_status paired_transition_build(hexcon_context *context, const surface *s,
                                       const int32_t *partner, growing_mesh *mesh,
                                       paired_quads *out);
+/** The point of the surface at whose end of the shared edge a transition's point lies; points of
+ * the surface are their own.
+ * @param first  the surface's point count
+ * @param pairs  number of pairs
+ * @param hexes  [2 * pairs][8] the transition's */
+int32_t paired_transition_end(size_t first, size_t pairs, const int32_t *hexes, int32_t point);
 void paired_quads_free(hexcon_context *context, paired_quads *paired);
 
 #endif

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "construct/paired_transition.h"
 #include "nested_mesh.h"
 #include "surface/given_pairs.h"
 #include "surface/loop_families.h"
@@ -55,6 +56,18 @@ static hexcon_status choose_pairs(hexcon_context *context, const surface *s,
   }
 }
 
+/** The surface under the pairs, and how it comes from the given one. */
+typedef struct paired_surface {
+  int32_t *partner; /* [quad_count of the given one] a half-edge, -1: none */
+  size_t pair_count;
+  paired_quads made;
+} paired_surface;
+
+static void paired_surface_free(hexcon_context *context, paired_surface *paired) {
+  context_free(context, paired->partner);
+  paired_quads_free(context, &paired->made);
+}
+
 static size_t count_pairs(const int32_t *partner, size_t quad_count) {
   size_t paired = 0;
   for (size_t q = 0; q < quad_count; q++)
@@ -62,23 +75,25 @@ static size_t count_pairs(const int32_t *partner, size_t quad_count) {
   return paired / 2;
 }
 
-/** Pair, and lay the paired transition. */
+/** Pair, and lay the paired transition. @param out free with paired_surface_free, also after an
+ * error */
 static hexcon_status pair(hexcon_context *context, const surface *s,
                           const hexcon_mesh_options *options, nested_mesh *nested,
-                          hexcon_mesh *mesh, paired_quads *out) {
+                          hexcon_mesh *mesh, paired_surface *out) {
   double start = mesh_clock();
-  int32_t *partner = context_allocate(context, s->quad_count, sizeof *partner);
+  memset(out, 0, sizeof *out);
+  out->partner = context_allocate(context, s->quad_count, sizeof *out->partner);
   hexcon_status status =
-      partner ? choose_pairs(context, s, options, partner) : HEXCON_OUT_OF_MEMORY;
+      out->partner ? choose_pairs(context, s, options, out->partner) : HEXCON_OUT_OF_MEMORY;
   mesh_note_seconds(mesh, "pairing", start);
   start = mesh_clock();
   if (!status) {
-    mesh_note(mesh, "pairs", (double)count_pairs(partner, s->quad_count));
-    status = nested_mesh_pair(context, s, partner, nested, out);
+    out->pair_count = count_pairs(out->partner, s->quad_count);
+    mesh_note(mesh, "pairs", (double)out->pair_count);
+    status = nested_mesh_pair(context, s, out->partner, nested, &out->made);
   }
   mesh_note(mesh, "hexes of paired transition", (double)nested->grown.hex_count);
   mesh_note_seconds(mesh, "paired transition", start);
-  context_free(context, partner);
   return status;
 }
 
@@ -244,11 +259,54 @@ static hexcon_status check_closable(hexcon_context *context, const surface *s, c
                       r->name, (s->quad_count + 2 - s->point_count) / 2);
 }
 
+/* ------------------------------------------------------------------- faults in the caller's terms
+ */
+
+/** A path over the paired quads becomes one over the surface: points of a pair go to the end of the
+ * shared edge over which they lie, so that each step is along an edge, or none. */
+static void list_surface_path(hexcon_context *context, size_t point_count, size_t pairs,
+                              const int32_t *hexes) {
+  size_t listed = context->element_count;
+  context->element_count = 0;
+  for (size_t i = 0; i < listed; i++) {
+    int32_t point = paired_transition_end(point_count, pairs, hexes, context->elements[i]);
+    size_t kept = context->element_count;
+    if (kept == 0 || context->elements[kept - 1] != point)
+      context_add_element(context, point);
+  }
+  size_t kept = context->element_count;
+  if (kept > 1 && context->elements[0] == context->elements[kept - 1])
+    context->element_count--;
+}
+
+/** No loop passes a quad of a pair twice: those listed come after them, and are the given ones of
+ * no pair in their order. */
+static void list_given_quads(hexcon_context *context, const surface *s,
+                             const paired_surface *paired) {
+  size_t listed = context->element_count;
+  size_t after = paired->made.quad_count - (s->quad_count - 2 * paired->pair_count), next = 0;
+  context->element_count = 0;
+  for (size_t q = 0; q < s->quad_count && context->element_count < listed; q++) {
+    if (paired->partner[q] >= 0)
+      continue;
+    if (context->elements[context->element_count] == (int32_t)(after + next++))
+      context_add_element(context, (int32_t)q);
+  }
+}
+
+static void name_fault(hexcon_context *context, hexcon_status status, const surface *s,
+                       const paired_surface *paired, const nested_mesh *nested) {
+  if (status == HEXCON_NO_SIDES)
+    list_surface_path(context, s->point_count, paired->pair_count, nested->grown.hexes);
+  if (status == HEXCON_SELF_CROSSING)
+    list_given_quads(context, s, paired);
+}
+
 hexcon_status mesh_topological(hexcon_context *context, const surface *s,
                                const hexcon_mesh_options *options, hexcon_mesh *mesh) {
   const recipe *r = find_recipe(options->method);
   nested_mesh nested = {0};
-  paired_quads paired = {0};
+  paired_surface paired = {0};
   bool star_shaped = false;
   hexcon_status status = check_distinct(context, s);
   if (!status)
@@ -258,8 +316,9 @@ hexcon_status mesh_topological(hexcon_context *context, const surface *s,
   if (!status)
     status = pair(context, s, options, &nested, mesh, &paired);
   if (!status)
-    status = fill_inside(context, r, &paired, &nested, mesh);
-  paired_quads_free(context, &paired);
+    status = fill_inside(context, r, &paired.made, &nested, mesh);
+  name_fault(context, status, s, &paired, &nested);
+  paired_surface_free(context, &paired);
   if (!status) {
     mesh_log(mesh, "topological: conforming, but some Jacobians are zero or negative; no solver "
                    "should take it");

@@ -43,8 +43,7 @@ static hexcon_status report_odd_cycle(hexcon_context *context, const search *f, 
   if (f->crossed)
     return context_fail(context, HEXCON_NO_SIDES,
                         "dual loops that are to be split together have no two sides: a closed path "
-                        "of %zu edges crosses them an odd number of times (its points listed)",
-                        length);
+                        "of edges crosses them an odd number of times (its points listed)");
   return context_fail(context, HEXCON_NOT_BIPARTITE,
                       "the points cannot be coloured black and white along edges: a cycle of %zu "
                       "edges is odd (its points listed)",
