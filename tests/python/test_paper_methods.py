@@ -5,7 +5,7 @@ import pytest
 from blossom_surfaces import BODIES, surface_of_size
 from cell_surfaces import PLAIN
 from paper_meshes import (ON_GIVEN, ON_PAIRED, can_pair_across_single_edges, faults, neighbours, paired_surface,
-                          self_crossings, volumes)
+                          raised, self_crossings, volumes)
 from paper_surfaces import eppsteins_cube, paper_surfaces, quadrilateral_octahedron
 from polyhedra import random_polyhedron
 from quad_figures import flat_corners
@@ -18,15 +18,6 @@ METHODS = sorted(ON_GIVEN)
 SOLIDS = ("box", "cylinder", "frustum", "hexagonal_prism", "triangular_prism", "ball", "half_ball", "lens",
           "chamfered", "cut_8")
 assert set(METHODS) == hn.TOPOLOGICAL_METHODS and set(SOLIDS) < set(BODIES)
-
-
-def raised(code, *arguments, **options):
-    """Elements of the error that hn.mesh raises."""
-    with pytest.raises(hn.HexconError) as fault:
-        hn.mesh(*arguments, **options)
-    assert fault.value.code == hn.ErrorCode[code], fault.value
-    assert str(fault.value)
-    return fault.value.elements
 
 
 def certified(mesh):
