@@ -19,7 +19,8 @@ ON_PAIRED = {"four-split": 9, "pyramid": 9 + 16, "pyramid-alt": 3 + 16, "geode":
 # Hexes on a quad of the surface, of which the pairs make three; and one of the pair itself.
 ON_GIVEN = {method: 1 + 3 * count for method, count in ON_PAIRED.items()}
 ALTERNATIVE = ("pyramid-alt", "geode-alt")
-_GAUSS = np.array(list(itertools.product((0.5 - 3 ** -0.5 / 2, 0.5 + 3 ** -0.5 / 2), repeat=3)))
+# Points of the unit cube whose mean is a trilinear hex's, of its Jacobian: the volume.
+GAUSS = np.array(list(itertools.product((0.5 - 3 ** -0.5 / 2, 0.5 + 3 ** -0.5 / 2), repeat=3)))
 
 
 def raised(code, *arguments, **options):
@@ -33,7 +34,7 @@ def raised(code, *arguments, **options):
 
 def volumes(mesh):
     """(H,) of the trilinear hexes: exact, as the Jacobian has degree two in each direction."""
-    return jacobians(mesh.points[mesh.hexes], _GAUSS).mean(axis=1)
+    return jacobians(mesh.points[mesh.hexes], GAUSS).mean(axis=1)
 
 
 def faults(points, mesh, of_sphere=True):
