@@ -6,7 +6,7 @@
 
 #include "support.h"
 
-enum { ROUNDS = 10000, MOST_MUTATIONS = 5, SEED_COUNT = 9 };
+enum { ROUNDS = 10000, PAPER_ROUNDS = 3000, MOST_MUTATIONS = 5, SEED_COUNT = 9 };
 
 typedef void (*mutation)(test_mesh *mesh, uint64_t *random);
 
@@ -290,6 +290,55 @@ static void damaged_surfaces(void **state) {
     test_mesh_free(&seeds[i]);
 }
 
+/** Pairs that may be missing, far away or damaged. */
+static hexcon_mesh_options any_paper_options(const test_mesh *mesh, int32_t pairs[8],
+                                             uint64_t *random) {
+  for (int i = 0; i < 8; i++)
+    pairs[i] = (int32_t)random_below(random, mesh->quad_count + 2) - 1;
+  return (hexcon_mesh_options){
+      .method = HEXCON_METHOD_FOUR_SPLIT + (hexcon_method)random_below(random, 5),
+      .pairing = (hexcon_pairing)random_below(random, HEXCON_PAIRING_COUNT + 1),
+      .pairs = random_below(random, 8) ? pairs : NULL,
+      .pair_count = random_below(random, 5)};
+}
+
+/** The paper's methods: a named error, or a mesh that is conforming with an exact boundary. */
+static void damaged_surfaces_of_the_paper(void **state) {
+  (void)state;
+  test_mesh seeds[4] = {make_box(1, 1, 1), make_torus(3, 4), make_tube(4, 1),
+                        make_schneiders_pyramid()};
+  uint64_t random = 2026;
+  size_t seen[HEXCON_STATUS_COUNT] = {0};
+  for (int round = 0; round < PAPER_ROUNDS; round++) {
+    test_memory memory = {.most_bytes = (size_t)1 << 26};
+    hexcon_context *context = hexcon_context_new_with(test_reallocate, &memory);
+    test_mesh mesh = damaged(&seeds[round % 4], &random);
+    int32_t pairs[8];
+    const hexcon_mesh_options options = any_paper_options(&mesh, pairs, &random);
+    hexcon_mesh *made = NULL;
+    hexcon_status status = hexcon_mesh_surface(context, mesh.points, mesh.surface_point_count,
+                                               mesh.quads, mesh.quad_count, &options, &made);
+    seen[status]++;
+    assert_int_equal(made != NULL, status == HEXCON_OK);
+    if (status != HEXCON_BAD_PAIRING) /* whose ids are as given */
+      expect_named(context, status, &mesh);
+    if (made)
+      assert_true(hexcon_mesh_certificate(made)->conforming &&
+                  hexcon_mesh_certificate(made)->boundary_exact && all_finite(made));
+    hexcon_mesh_free(context, made);
+    test_mesh_free(&mesh);
+    hexcon_context_free(context);
+    assert_int_equal(memory.live, 0);
+  }
+  for (int status = 0; status < HEXCON_STATUS_COUNT; status++)
+    if (seen[status])
+      print_message("%-26s %8zu\n", hexcon_status_name(status), seen[status]);
+  assert_true(seen[HEXCON_OK] && seen[HEXCON_SELF_CROSSING] && seen[HEXCON_BAD_PAIRING] &&
+              seen[HEXCON_NOT_A_BALL] && seen[HEXCON_NO_SIDES]);
+  for (int i = 0; i < 4; i++)
+    test_mesh_free(&seeds[i]);
+}
+
 /** Meshes with damaged hexes: an error, or a certificate that does not claim what is false. */
 static void damaged_hexes(void **state) {
   (void)state;
@@ -328,6 +377,7 @@ static void damaged_hexes(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(damaged_surfaces),
+      cmocka_unit_test(damaged_surfaces_of_the_paper),
       cmocka_unit_test(damaged_hexes),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

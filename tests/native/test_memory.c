@@ -11,7 +11,7 @@
 
 /** Surfaces and meshes the calls work on. */
 typedef struct material {
-  test_mesh swept, twisted, not_swept, torus, scrambled;
+  test_mesh swept, twisted, not_swept, torus, scrambled, cube;
   uint8_t *fixed, *swept_fixed;
   double *positions, *goal; /* goal: of swept, to be gone to by its boundary */
 } material;
@@ -169,6 +169,51 @@ static hexcon_status call_mesh_not_swept(hexcon_context *context, material *m) {
   return status == HEXCON_NOT_SWEPT ? HEXCON_OK : status;
 }
 
+static hexcon_status mesh_topological(hexcon_context *context, const test_mesh *given,
+                                      const hexcon_mesh_options *options) {
+  hexcon_mesh *mesh = (hexcon_mesh *)context;
+  hexcon_status status = hexcon_mesh_surface(context, given->points, given->surface_point_count,
+                                             given->quads, given->quad_count, options, &mesh);
+  if (status)
+    assert_null(mesh);
+  else
+    assert_true(hexcon_mesh_certificate(mesh)->conforming);
+  hexcon_mesh_free(context, mesh);
+  return status;
+}
+
+/** Down to the front; without pairs, in three families. */
+static hexcon_status call_mesh_four_split(hexcon_context *context, material *m) {
+  const hexcon_mesh_options options = {.method = HEXCON_METHOD_FOUR_SPLIT,
+                                       .pairing = HEXCON_PAIRING_NONE};
+  return mesh_topological(context, &m->cube, &options);
+}
+
+/** Paired, and closed by pyramids. */
+static hexcon_status call_mesh_pyramid(hexcon_context *context, material *m) {
+  const hexcon_mesh_options options = {.method = HEXCON_METHOD_PYRAMID};
+  return mesh_topological(context, &m->cube, &options);
+}
+
+/** With given pairs, the other layers, and Geodes. */
+static hexcon_status call_mesh_geode_alt(hexcon_context *context, material *m) {
+  int32_t pairs[6];
+  hexcon_status status = hexcon_surface_pairing(context, NULL, m->cube.surface_point_count,
+                                                m->cube.quads, m->cube.quad_count, pairs);
+  const hexcon_mesh_options options = {.method = HEXCON_METHOD_GEODE_ALT,
+                                       .pairing = HEXCON_PAIRING_GIVEN,
+                                       .pairs = pairs,
+                                       .pair_count = 3};
+  return status ? status : mesh_topological(context, &m->cube, &options);
+}
+
+/** Loops without sides, told in the caller's points. */
+static hexcon_status call_mesh_no_sides(hexcon_context *context, material *m) {
+  const hexcon_mesh_options options = {.method = HEXCON_METHOD_FOUR_SPLIT};
+  hexcon_status status = mesh_topological(context, &m->torus, &options);
+  return status == HEXCON_NO_SIDES ? HEXCON_OK : status;
+}
+
 static const struct {
   const char *name;
   public_call call;
@@ -189,7 +234,11 @@ static const struct {
              {"mesh", call_mesh},
              {"mesh second order", call_mesh_second_order},
              {"mesh twisted", call_mesh_twisted},
-             {"mesh not swept", call_mesh_not_swept}};
+             {"mesh not swept", call_mesh_not_swept},
+             {"mesh four-split", call_mesh_four_split},
+             {"mesh pyramid", call_mesh_pyramid},
+             {"mesh geode-alt", call_mesh_geode_alt},
+             {"mesh no sides", call_mesh_no_sides}};
 
 enum { CALL_COUNT = sizeof calls / sizeof *calls };
 
@@ -231,6 +280,7 @@ static int set_up(void **state) {
   bend(&m.swept, m.goal);
   m.not_swept = make_schneiders_pyramid();
   m.torus = make_torus(3, 4);
+  m.cube = make_box(1, 1, 1);
   m.scrambled = make_box(4, 3, 3);
   for (size_t i = 3 * m.scrambled.surface_point_count; i < 3 * m.scrambled.point_count; i++)
     m.scrambled.points[i] += random_between(&random, -0.8, 0.8);
@@ -248,6 +298,7 @@ static int tear_down(void **state) {
   test_mesh_free(&m->twisted);
   test_mesh_free(&m->not_swept);
   test_mesh_free(&m->torus);
+  test_mesh_free(&m->cube);
   test_mesh_free(&m->scrambled);
   free(m->fixed);
   free(m->swept_fixed);
