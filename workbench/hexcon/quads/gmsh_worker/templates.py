@@ -55,8 +55,18 @@ def midpoint_mesh(outline, counts, boundary):
     if spokes is None:
         return None
     starts = np.concatenate([[0], np.cumsum(counts[0])])
-    total = len(boundary)
-    first = [int(starts[s[0]]) for s in sides]
+    return midpoint_blocks(boundary, [int(starts[s[0]]) for s in sides], spokes)
+
+
+def midpoint_blocks(boundary, first, spokes):
+    """(points (m,2), quads): one block per corner of an n-gon, between the middles of its sides and a centre.
+
+    boundary  (Nb,2), counter-clockwise: the first points
+    first     (n,) the boundary point at the corner where side i starts
+    spokes    (n,) intervals from the middle of side i to the centre; side i has spokes[i-1] up to its middle and
+              spokes[i+1] after it
+    """
+    n, total = len(spokes), len(boundary)
     build = Builder(boundary)
     middles = [(first[i] + spokes[(i - 1) % n]) % total for i in range(n)]
     centre = build.add(boundary[middles].mean(axis=0)[None])
