@@ -79,9 +79,13 @@ class Solid:
         self.loops = {f: self._loops(f) for f in self.faces}
         self._tables = {}
         self._areas = {}
-        box = np.array(gmsh.model.getBoundingBox(3, volume))
+        box = self.box()
         self.diagonal = float(np.linalg.norm(box[3:] - box[:3]))
         self.tolerance = 1e-7 * max(1.0, self.diagonal / 1000.0)
+
+    def box(self):
+        """(6,) least and largest coordinates, of OCC: a little too wide."""
+        return np.array(gmsh.model.getBoundingBox(3, self.volume))
 
     def _drop_degenerate(self):
         """Poles and apexes are edges of length zero in OCC: they bound nothing."""
@@ -139,8 +143,13 @@ class Solid:
         return gmsh.model.getType(1, edge) == "Line"
 
     @staticmethod
+    def type_of(face):
+        """"Plane", "Cylinder", "Cone", "Sphere", "Torus", "BSpline surface" ..."""
+        return gmsh.model.getType(2, face)
+
+    @staticmethod
     def is_plane(face):
-        return gmsh.model.getType(2, face) == "Plane"
+        return Solid.type_of(face) == "Plane"
 
     @staticmethod
     def plane_normal(face):
@@ -190,7 +199,7 @@ class Solid:
     @staticmethod
     def is_elementary(face):
         """Plane, quadric or torus: cheap to project on."""
-        return gmsh.model.getType(2, face) in ("Plane", "Cylinder", "Cone", "Sphere", "Torus")
+        return Solid.type_of(face) in ("Plane", "Cylinder", "Cone", "Sphere", "Torus")
 
     @staticmethod
     def face_points(face, parameters):
