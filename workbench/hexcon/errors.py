@@ -12,6 +12,7 @@ class FaultCode(enum.Enum):
     TOOL_FAILED = "tool failed"                # it ran and reported an error
     TOOL_TIMEOUT = "tool timeout"              # it ran into the time limit
     NOT_SWEEPABLE = "solid not sweepable"      # method sweep on a solid that is no sweep
+    NOT_BLOCKS = "solid not made of blocks"    # method blocks on a solid with other corners, or round elsewhere
     NOT_TRANSFINITE = "solid not transfinite"  # a face without four sides
     NOT_ALL_QUAD = "not all quads"             # triangles left in the surface
     ODD_SURFACE = "odd surface"                # an odd number of quads, whatever the size

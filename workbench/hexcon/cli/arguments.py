@@ -42,7 +42,8 @@ def _add_meshing(command):
     command.add_argument("--size", type=float, metavar="H",
                          help="wanted edge length in mm; needed for solids")
     command.add_argument("--surface-method", choices=SURFACE_METHODS, default="auto",
-                         help="how a solid's surface is meshed with quads")
+                         help="how a solid's surface is meshed with quads; auto: sweep, "
+                              "blocks, subdivided, the first that can be")
     _add_filling(command)
 
 

@@ -21,6 +21,7 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 SURFACE_METHOD_WORDS = {
     "auto": QT_TRANSLATE_NOOP("HexCon", "automatic"),
     "sweep": QT_TRANSLATE_NOOP("HexCon", "sweep"),
+    "blocks": QT_TRANSLATE_NOOP("HexCon", "blocks"),
     "subdivided": QT_TRANSLATE_NOOP("HexCon", "subdivided quads"),
     "subdivided-triangles": QT_TRANSLATE_NOOP("HexCon", "subdivided triangles"),
     "blossom": QT_TRANSLATE_NOOP("HexCon", "blossom"),
@@ -124,7 +125,9 @@ class MeshPanel(Panel):
     def _make_choices(self):
         self.surface_method = _choice_of("surface_method", SURFACE_METHODS, SURFACE_METHOD_WORDS)
         self.surface_method.setToolTip(translate(
-            "HexCon", "How the surface is meshed with quads; automatic sweeps where it can"))
+            "HexCon", "How the surface is meshed with quads: swept from cap to cap; in blocks, for "
+            "round solids and those with three edges at each corner; or by gmsh, for any solid. "
+            "Automatic takes the first that can be"))
         self.method = _choice_of_method()
         self.method.setToolTip(translate(
             "HexCon", "How the surface is filled with hexes: swept from cap to cap, or cells, which "

@@ -10,7 +10,7 @@ from hexcon.gmsh_process import run_job
 
 from .surface import finished
 
-METHODS = ("auto", "sweep", "subdivided", "subdivided-triangles", "blossom", "transfinite")
+METHODS = ("auto", "sweep", "blocks", "subdivided", "subdivided-triangles", "blossom", "transfinite")
 CAD_ENDINGS = (".step", ".stp", ".brep", ".brp")
 
 
@@ -27,7 +27,7 @@ def surface_from_solid(shape_or_file, size, method="auto", *, timeout=120.0, pro
     Points lie on their CAD faces within 1e-7 * max(1, diagonal / 1000). Where two CAD faces leave a wider gap
     at their edge, the points lie on the edge and a note says so.
     Raises ToolError: BAD_OPTION, BAD_SHAPE, FILE_IO, FILE_FORMAT, FREECAD_MISSING, TOOL_MISSING, TOOL_TIMEOUT,
-    TOOL_FAILED, NOT_SWEEPABLE, NOT_TRANSFINITE, NOT_ALL_QUAD, ODD_SURFACE, OFF_CAD.
+    TOOL_FAILED, NOT_SWEEPABLE, NOT_BLOCKS, NOT_TRANSFINITE, NOT_ALL_QUAD, ODD_SURFACE, OFF_CAD.
     """
     _check_options(size, method, timeout)
     source, face_numbers = _source(shape_or_file)

@@ -14,7 +14,7 @@ class QuadSurface:
     points        (V,3) float64, every one used by a quad
     quads         (n,4) int64, 0-based, counter-clockwise seen from outside
     face_of_quad  (n,) int64: 1-based number of the CAD face (Face3 -> 3), 0 where there is no CAD
-    method        the method that made it: "sweep", "subdivided", ..., or "given"
+    method        the method that made it: "sweep", "blocks", "subdivided", ..., or "given"
     notes         what the user should know: other sizes tried, why `auto` did not sweep, ...
     """
     points: np.ndarray

@@ -5,12 +5,16 @@ import sys
 import numpy as np
 
 from . import cad, session
+from .blocks import blocks_surface
 from .fault import WorkerFault
 from .nearness import distances
 from .sweep import sweep_surface
 from .whole import whole_surface
 
 MOST_QUADS = 5e6    # more is a slip of the keyboard, and would fill the memory
+# The methods whose quads invite a structured mesh, the best first: maker, its refusal, and that in words.
+NATURAL = {"sweep": (sweep_surface, "NOT_SWEEPABLE", "not swept"),
+           "blocks": (blocks_surface, "NOT_BLOCKS", "not of blocks")}
 
 
 def _run(job, link):
@@ -32,17 +36,18 @@ def _run(job, link):
 def _mesh(solid, job, link):
     """(mesh, name of the method that made it, notes about the choice)."""
     method, size = job["method"], job["size"]
-    if method == "sweep":
-        return sweep_surface(solid, size, link), method, []
+    if method in NATURAL:
+        return NATURAL[method][0](solid, size, link), method, []
     if method != "auto":
         return whole_surface(solid, size, method, link), method, []
     notes = []
-    try:
-        return sweep_surface(solid, size, link), "sweep", notes
-    except WorkerFault as fault:
-        if fault.code != "NOT_SWEEPABLE":
-            raise
-        notes.append(f"auto: not swept: {fault}")
+    for name, (make, refusal, word) in NATURAL.items():
+        try:
+            return make(solid, size, link), name, notes
+        except WorkerFault as fault:
+            if fault.code != refusal:
+                raise
+            notes.append(f"auto: {word}: {fault}")
     try:
         return whole_surface(solid, size, "subdivided", link), "subdivided", notes
     except WorkerFault as fault:
