@@ -52,14 +52,15 @@ def _assert_counts(surface):
     assert np.array_equal(*valence)
 
 
-@pytest.mark.parametrize("maker", [quads_solids.filleted_box, quads_solids.two_way_bracket,
-                                   lambda: quads_solids.Part.makeSphere(5)])
-def test_not_sweepable(maker):
+@pytest.mark.parametrize("maker,instead", [(quads_solids.filleted_box, "subdivided"),
+                                           (quads_solids.two_way_bracket, "subdivided"),
+                                           (lambda: quads_solids.Part.makeSphere(5), "blocks")])
+def test_not_sweepable(maker, instead):
     with pytest.raises(ToolError) as caught:
         surface_from_solid(maker(), 2.0, "sweep")
     assert caught.value.code is FaultCode.NOT_SWEEPABLE
     surface = surface_from_solid(maker(), 2.0, "auto")
-    assert surface.method == "subdivided"
+    assert surface.method == instead
     assert any("not swept" in note for note in surface.notes)
     assert_closed_even_outward(surface)
 

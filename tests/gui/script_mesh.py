@@ -221,7 +221,7 @@ def the_method_is_chosen():
     open_panel("HexCon_MeshSolid")
     layers = find(QtGui.QSpinBox, "layers")
     assert (layers.minimum(), layers.maximum()) == (0, 10)
-    mesh(2.0, method="swept", layers=3)
+    mesh(2.0, "subdivided", method="swept", layers=3)
     wait(is_idle, "the ball to be refused")
     assert "No mesh:" in words() and not meshes()  # refused as no sweep, not for its layers
     assert "layers" not in words() and not layers.isEnabled()

@@ -83,12 +83,14 @@ def test_surfaces_of_no_solid():
     assert fault(hexcon.mesh_surface, points, quads[1:]).code is ErrorCode.NOT_CLOSED
 
 
-def test_no_sweep_says_why_twice(ball):
+def test_no_sweep_says_why_twice(tmp_path):
     """Why the surface is no sweep, and why the quads on it are none."""
-    told = fault(hexcon.mesh_solid, ball, 3.0, method="swept")
+    octant = cad_file(tmp_path / "octant.brep",
+                      "gmsh.model.occ.addSphere(0, 0, 0, 5, angle1=0, angle3=1.5707963267948966)")
+    told = fault(hexcon.mesh_solid, octant, 3.0, method="swept")
     assert told.code is ErrorCode.NOT_SWEPT and told.elements
     assert "auto: not swept: " in str(told) and "the surface: " in str(told)
-    whole = surface_from_solid(ball, 3.0)
+    whole = surface_from_solid(octant, 3.0)
     core = fault(hexcon_native.mesh, whole.points, whole.quads, "swept")
     assert str(core) in str(told) and all(note in str(told) for note in whole.notes)
     assert core.elements == told.elements and max(told.elements) < len(whole.quads)
