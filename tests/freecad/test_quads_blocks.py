@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Method `blocks` on solids made in FreeCAD: the surface itself, and the core's hexes where it fills them as one sweep."""
+"""Method `blocks` on solids made in FreeCAD: the surface, and the core's hexes where it fills it as one sweep."""
 import os
 import sys
 

@@ -33,8 +33,8 @@ def blocks_surface(solid, size, link):
     if bad.any():
         faces = np.unique(mesh["faces"][bad])
         names = ", ".join(f"Face{f}" for f in faces[:5])
-        raise WorkerFault("NOT_BLOCKS", f"{int(bad.sum())} quads would be folded or have corners near 0 or 180 degrees, "
-                          f"on {names}; reentrant or very sharp corners do that", faces)
+        raise WorkerFault("NOT_BLOCKS", f"{int(bad.sum())} quads would be folded or have corners near 0 or 180 "
+                          f"degrees, on {names}; reentrant or very sharp corners do that", faces)
     mesh["notes"].append(f"blocks: {len(quality)} quads, scaled Jacobian {quality.min():.3f} to mean "
                          f"{quality.mean():.3f}, edges {_edge_range(mesh, size)} of the wanted size")
     return mesh

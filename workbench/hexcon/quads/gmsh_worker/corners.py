@@ -28,8 +28,8 @@ def _sides(solid, face):
         raise WorkerFault("NOT_BLOCKS", f"Face{face} has a hole; blocks need faces with one outline", [face])
     loop = loops[0]
     if len(loop) < 3 or len({abs(e) for e in loop}) < len(loop):
-        raise WorkerFault("NOT_BLOCKS", f"Face{face} has fewer than three corners, or a seam, and the solid is no ball, "
-                          "cylinder, cone or capsule", [face])
+        raise WorkerFault("NOT_BLOCKS", f"Face{face} has fewer than three corners, or a seam, and the solid is no "
+                          "ball, cylinder, cone or capsule", [face])
     ends_meet = all(solid.end(e) == solid.start(after) for e, after in zip(loop, loop[1:] + loop[:1]))
     if not ends_meet:
         raise WorkerFault("NOT_BLOCKS", f"the edges of Face{face} do not follow each other", [face])
