@@ -17,7 +17,7 @@ import hexcon_native as hn
 METHODS = sorted(ON_GIVEN)
 SOLIDS = ("box", "cylinder", "frustum", "hexagonal_prism", "triangular_prism", "ball", "half_ball", "lens",
           "chamfered", "cut_8")
-assert set(METHODS) == hn.TOPOLOGICAL_METHODS and set(SOLIDS) < set(BODIES)
+assert set(METHODS) == hn.TOPOLOGICAL_METHODS - {"pillowed"} and set(SOLIDS) < set(BODIES)
 
 
 def certified(mesh):
