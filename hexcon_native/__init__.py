@@ -24,9 +24,9 @@ ErrorCode = enum.IntEnum("ErrorCode", _core.status_codes())
 ErrorCode.__doc__ = "One member per fault of the core; include/hexcon.h says what each means."
 
 METHODS = {"auto": 0, "swept": 1, "cells": 2, "four-split": 3, "pyramid": 4, "pyramid-alt": 5, "geode": 6,
-           "geode-alt": 7, "pillowed": 8}
+           "geode-alt": 7, "pillowed": 8, "sheets": 9}
 
-TOPOLOGICAL_METHODS = frozenset(list(METHODS)[3:])
+TOPOLOGICAL_METHODS = frozenset(METHODS) - {"auto", "swept", "cells", "sheets"}
 """Methods whose meshes are conforming, but have Jacobians of zero or below: for no solver."""
 
 PAIRINGS = {"all": 0, "none": 1}
@@ -353,8 +353,11 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
     points, quads      as check_surface
     method             "swept": a cap's quads times rings; "cells": any even surface of a convex or
                        star-shaped body, 31 hexes a quad and tetrahedra inside, each cut into 4
-                       hexes; "auto": these in this order, until one is certified and good, or
-                       else the best of them: report["log"] tells of each.
+                       hexes; "sheets", for balls: layers of hexes, each of which takes a dual loop
+                       away, until a cube is left: boxes, convex polyhedra with three edges a corner
+                       whose faces are cut about their middles, and mixtures that are no sweep;
+                       "auto": swept, sheets, cells, until one is certified and good, or else the
+                       best of them: report["log"] tells of each.
                        The TOPOLOGICAL_METHODS are those of Carbonera and Shepherd (2006), for n
                        quads of genus 0: "pyramid" 76 n hexes, "pyramid-alt" 58 n, "geode" 130 n,
                        "geode-alt" 112 n, "pillowed" 139 n without doublets; and of any genus "four-split" 28 n, layers under the
@@ -381,7 +384,8 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
                        quality
     Returns a Mesh. Raises HexconError: those of check_surface, SEVERAL_COMPONENTS, ODD, NOT_SWEPT
     (elements: the quads where the best attempt failed), UNFILLABLE_QUAD (elements: quads on which
-    no positive hex can stand), NOT_STAR_SHAPED, NOT_BIPARTITE, NO_PAIRING, BAD_PAIRING (elements:
+    no positive hex can stand), NOT_STAR_SHAPED, NO_SHEETS (elements: the surface's quads in the core
+    that no loop can be taken from; the message says how large it is), NOT_BIPARTITE, NO_PAIRING, BAD_PAIRING (elements:
     quads of pairs that are none), SELF_CROSSING (elements: quads that a loop passes twice), NO_SIDES
     (elements: points of a closed path that crosses a family of loops an odd number of times; never
     on a sphere), NOT_A_BALL, NOT_CERTIFIED (elements: hexes), OUT_OF_TIME (before there

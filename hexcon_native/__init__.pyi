@@ -38,6 +38,7 @@ class ErrorCode(enum.IntEnum):
     UNFILLABLE_QUAD: int
     NOT_STAR_SHAPED: int
     NOT_SWEPT: int
+    NO_SHEETS: int
     NOT_CERTIFIED: int
 
 class Loops:

@@ -56,6 +56,8 @@ typedef enum hexcon_status {
   HEXCON_UNFILLABLE_QUAD,          /**< elements: quads on which no positive hex can stand */
   HEXCON_NOT_STAR_SHAPED,          /**< no point inside sees the whole surface */
   HEXCON_NOT_SWEPT,                /**< elements: quads where the best attempt failed */
+  HEXCON_NO_SHEETS,                /**< elements: quads of the core that no dual loop can be taken
+                                        from, as far as they are the surface's */
   HEXCON_NOT_CERTIFIED,            /**< elements: hexes whose Jacobian is not proved positive */
   HEXCON_OUT_OF_TIME,              /**< the time budget ran out before there was a mesh */
   HEXCON_STATUS_COUNT
@@ -294,6 +296,8 @@ typedef enum hexcon_method {
   HEXCON_METHOD_GEODE_ALT,   /**< 112 n */
   HEXCON_METHOD_PILLOWED,    /**< 139 n: geode-alt without doublets; proper, if the surface's quads
                                   meet properly themselves */
+  HEXCON_METHOD_SHEETS,      /**< for solvers again: layers of hexes that take one dual loop after
+                                  the other away, until a cube is left; balls only */
   HEXCON_METHOD_COUNT
 } hexcon_method;
 
@@ -352,10 +356,10 @@ typedef struct hexcon_mesh hexcon_mesh;
  * @param options  NULL for defaults
  * @param mesh     receives the result; free with hexcon_mesh_free
  * Errors: those of hexcon_check_surface, SEVERAL_COMPONENTS, ODD, NOT_SWEPT, UNFILLABLE_QUAD,
- * NOT_STAR_SHAPED, NO_PAIRING, BAD_PAIRING, SELF_CROSSING, NO_SIDES, NOT_A_BALL, NOT_CERTIFIED,
- * CANCELLED, OUT_OF_TIME, BAD_ARGUMENT, OUT_OF_MEMORY; `mesh` is then NULL. A topological mesh that
- * is conforming and has the surface for its boundary is no error. Cost: linear in the hexes made,
- * plus the optimisation of what is bad.
+ * NOT_STAR_SHAPED, NO_SHEETS, NO_PAIRING, BAD_PAIRING, SELF_CROSSING, NO_SIDES, NOT_A_BALL,
+ * NOT_CERTIFIED, CANCELLED, OUT_OF_TIME, BAD_ARGUMENT, OUT_OF_MEMORY; `mesh` is then NULL. A
+ * topological mesh that is conforming and has the surface for its boundary is no error. Cost: linear
+ * in the hexes made, plus the optimisation of what is bad.
  */
 hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points, size_t point_count,
                                   const int32_t *quads, size_t quad_count,

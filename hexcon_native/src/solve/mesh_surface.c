@@ -5,6 +5,7 @@
 #include "mesh_auto.h"
 #include "mesh_cells.h"
 #include "mesh_result.h"
+#include "mesh_sheets.h"
 #include "mesh_swept.h"
 #include "mesh_topological.h"
 #include "surface/half_edges.h"
@@ -107,6 +108,8 @@ static hexcon_status construct(hexcon_context *context, const surface *s,
     return mesh_topological(context, s, options, mesh);
   if (options->method == HEXCON_METHOD_SWEPT)
     return mesh_swept(context, s, mesh);
+  if (options->method == HEXCON_METHOD_SHEETS)
+    return mesh_sheets(context, s, mesh);
   return mesh_cells(context, s, options, mesh);
 }
 

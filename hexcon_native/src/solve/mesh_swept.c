@@ -4,12 +4,11 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/vector.h"
 #include "construct/sweep.h"
+#include "quality_bound.h"
 #include "shape/improve.h"
 #include "shape/sweep_placement.h"
 #include "sweep_choice.h"
-#include "verify/hex_tables.h"
 #include "verify/scaled_jacobian.h"
 
 /** A worst scaled Jacobian as high as this leaves nothing that another sweep could better. */
@@ -60,39 +59,9 @@ static void measure(filling *f) {
   }
 }
 
-/** Sines of the surface quads' corners: no hex corner there can have a higher scaled Jacobian. */
-static double surface_bound(const surface *s) {
-  double bound = 1;
-  for (int32_t corner = 0; corner < (int32_t)(4 * s->quad_count); corner++) {
-    const double *here = s->points + 3 * (size_t)s->quads[corner];
-    double next[3], previous[3], cross[3];
-    vector_subtract(s->points + 3 * (size_t)s->quads[half_edge_turn(corner, 1)], here, next);
-    vector_subtract(s->points + 3 * (size_t)s->quads[half_edge_turn(corner, -1)], here, previous);
-    vector_cross(next, previous, cross);
-    double lengths = vector_length(next) * vector_length(previous);
-    bound = fmin(bound, lengths > 0 ? vector_length(cross) / lengths : 0);
-  }
-  return bound;
-}
-
-/** Scaled Jacobians of the hex corners whose four points are all on the surface. */
-static double fixed_bound(const filling *f, size_t surface_points) {
-  double bound = 1;
-  for (size_t h = 0; h < f->hex_count; h++)
-    for (int corner = 0; corner < 8; corner++) {
-      const int32_t *hex = f->hexes + 8 * h;
-      bool fixed = (size_t)hex[corner] < surface_points;
-      for (int i = 0; i < 3; i++)
-        fixed &= (size_t)hex[hex_corner_neighbours[corner][i]] < surface_points;
-      if (fixed)
-        bound = fmin(bound, corner_scaled_jacobian(f->points, hex, corner));
-    }
-  return bound;
-}
-
 /** Improve what falls short of what the surface allows; nothing at all in most sweeps. */
 static hexcon_status improve_filling(hexcon_context *context, const surface *s, filling *f) {
-  f->bound = fmin(surface_bound(s), fixed_bound(f, s->point_count));
+  f->bound = quality_bound(s, f->points, f->hexes, f->hex_count);
   hexcon_optimize_options options = {.target = fmax(near_the_bound * f->bound, least_target)};
   if (f->worst >= options.target || f->bound <= 0) /* below 0 no placement is valid */
     return HEXCON_OK;

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/** Method `sheets`. */
+#ifndef HEXCON_SOLVE_MESH_SHEETS_H
+#define HEXCON_SOLVE_MESH_SHEETS_H
+
+#include "mesh_result.h"
+#include "surface/half_edges.h"
+
+/**
+ * Fill a surface by layers of hexes, each of which takes a dual loop away, until a cube is left; of
+ * the ways that were tried, the one with the fewest inverted hexes, then the highest worst scaled
+ * Jacobian.
+ * @param mesh  receives points, hexes, quality and figures; what it held before must be nothing
+ * @return NO_SHEETS with the quads of the core that are the surface's own; NOT_A_BALL,
+ * OUT_OF_MEMORY, TOO_LARGE, CANCELLED
+ */
+hexcon_status mesh_sheets(hexcon_context *context, const surface *s, hexcon_mesh *mesh);
+
+#endif

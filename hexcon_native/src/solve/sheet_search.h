@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/** In which order do dual loops go, and on which side of each lies its layer? */
+#ifndef HEXCON_SOLVE_SHEET_SEARCH_H
+#define HEXCON_SOLVE_SHEET_SEARCH_H
+
+#include "construct/sheet_front.h"
+#include "shape/layer_placement.h"
+
+/** How layers are weighed against each other. */
+typedef struct sheet_taste {
+  double hex_weight; /**< square radians that a hex may save */
+  double noise;      /**< scores are stretched by up to this factor more, at random */
+  uint64_t seed;
+} sheet_taste;
+
+/** A layer that may be laid: the ring passing this entry, with the region on its left. */
+typedef struct sheet_candidate {
+  double score; /**< the worse ones only know that they are worse */
+  int32_t entry;
+} sheet_candidate;
+
+/** The candidates of one front, in the search's stack. */
+typedef struct sheet_level {
+  size_t first, next;
+} sheet_level;
+
+/**
+ * A mesh that grows inward by layers, and the search for them. What cannot be filled by layers
+ * remains as a core: the front, a quad surface with points, which another method may fill and whose
+ * hexes then join front.mesh.
+ */
+typedef struct sheet_search {
+  sheet_front front; /**< as far as it came: the smallest core met */
+  size_t point_room;
+  double *points; /**< [point_room][3], those of front.mesh are placed; rows of the surface's points
+                       are as given */
+  bool complete;  /**< the front came to a cube, which is filled: there is no core */
+  size_t step_count; /**< fronts whose layers were compared */
+  /* Private. */
+  front_region region;
+  layer_placement placement;
+  size_t candidate_count, candidate_room, level_count;
+  sheet_candidate *candidates;
+  sheet_level *levels;           /* [loops + 1] */
+  int32_t *path, *best_path;     /* [loops] entries of the layers laid, and to the smallest core */
+  size_t best_count, best_alive; /* layers of best_path, and the quads left */
+  uint64_t random;
+} sheet_search;
+
+/**
+ * Lay layers until a cube is left or the steps are used up: the best first, and other ones where
+ * that ends nowhere.
+ * @param limit  quads visited, times loops, that may be spent after the first dead end
+ * @param out    free with sheet_search_free, also after an error
+ * Cost: a step is linear in the front; natural meshes need one for each loop, so n^1.5 in all.
+ * Errors: OUT_OF_MEMORY, TOO_LARGE, CANCELLED.
+ */
+hexcon_status sheet_search_run(hexcon_context *context, const surface *s, const sheet_taste *taste,
+                               size_t limit, sheet_search *out);
+void sheet_search_free(hexcon_context *context, sheet_search *search);
+
+#endif
