@@ -29,16 +29,23 @@ void front_region_begin(const sheet_front *front, int32_t entry, front_region *r
     memset(region->marks, 0, front->s.quad_count * sizeof *region->marks);
     region->mark = 2;
   }
-  front_region_add_ring(front, entry, region);
+  (void)front_region_add_ring(front, entry, region);
 }
 
-void front_region_add_ring(const sheet_front *front, int32_t entry, front_region *region) {
+bool front_region_add_ring(const sheet_front *front, int32_t entry, front_region *region) {
   int32_t start = entry;
   do {
+    if (region->marks[half_edge_quad(entry)] == region->mark)
+      return false;
     region->rungs[region->rung_count++] = entry;
     region->marks[half_edge_quad(entry)] = region->mark;
     entry = ring_next(&front->s, entry);
   } while (entry != start);
+  return true;
+}
+
+static int32_t quad_inside(const sheet_front *front, int32_t rung) {
+  return half_edge_quad(front->s.twins[half_edge_turn(rung, -1)]);
 }
 
 static void reach(int32_t quad, front_region *region) {
@@ -49,12 +56,14 @@ static void reach(int32_t quad, front_region *region) {
 }
 
 bool front_region_fill(const sheet_front *front, size_t limit, front_region *region) {
-  for (size_t i = 0; i < region->rung_count; i++)
-    reach(half_edge_quad(front->s.twins[half_edge_turn(region->rungs[i], -1)]), region);
+  reach(quad_inside(front, region->rungs[0]), region);
   for (size_t i = 0; i < region->quad_count && region->quad_count <= limit; i++)
     for (int side = 0; side < 4; side++)
       reach(half_edge_quad(front->s.twins[4 * region->quads[i] + side]), region);
-  return region->quad_count <= limit;
+  bool whole = region->quad_count <= limit;
+  for (size_t i = 0; whole && i < region->rung_count; i++)
+    whole = region->marks[quad_inside(front, region->rungs[i])] == region->mark + 1;
+  return whole;
 }
 
 /* -------------------------------------------------------------------------------------- checks */

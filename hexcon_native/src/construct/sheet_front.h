@@ -67,10 +67,12 @@ void front_region_free(hexcon_context *context, front_region *region);
 /** Empty the region and take the ring of the loop that passes `entry`, the region on its left. */
 void front_region_begin(const sheet_front *front, int32_t entry, front_region *region);
 
-/** Let what is bounded by a further ring end there too. The loops must not cross each other. */
-void front_region_add_ring(const sheet_front *front, int32_t entry, front_region *region);
+/** Let the region end at a further ring. @return false: that one shares a quad with the others; the
+ * region is then of no use */
+bool front_region_add_ring(const sheet_front *front, int32_t entry, front_region *region);
 
-/** Find the quads between the rings. @return false: there are more than `limit`. Linear in them. */
+/** Find the quads between the rings. @return false: there are more than `limit`, or the rings do
+ * not bound one region. Linear in them. */
 bool front_region_fill(const sheet_front *front, size_t limit, front_region *region);
 
 /**

@@ -1,18 +1,14 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
 #include "sheet_search.h"
 
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
-
-#include "region_score.h"
 
 void sheet_search_free(hexcon_context *context, sheet_search *search) {
   front_free(context, &search->front);
   front_region_free(context, &search->region);
   layer_placement_free(context, &search->placement);
   context_free(context, search->points);
-  context_free(context, search->candidates);
+  candidates_free(context, &search->candidates);
   context_free(context, search->levels);
   context_free(context, search->path);
   context_free(context, search->best_path);
@@ -27,8 +23,10 @@ static hexcon_status begin(hexcon_context *context, const surface *s, const shee
     status = front_region_new(context, &search->front, &search->region);
   if (status)
     return status;
+  status = candidates_new(context, &search->front, taste->seed, &search->candidates);
+  if (status)
+    return status;
   size_t loops = search->front.loops.count;
-  search->random = taste->seed;
   search->best_alive = s->quad_count + 1;
   search->point_room = s->point_count;
   search->points = context_allocate(context, s->point_count, 3 * sizeof *search->points);
@@ -42,81 +40,12 @@ static hexcon_status begin(hexcon_context *context, const surface *s, const shee
   return HEXCON_OK;
 }
 
-/** splitmix64, even in 0 .. 1. */
-static double next_random(uint64_t *state) {
-  uint64_t bits = *state += 0x9e3779b97f4a7c15U;
-  bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9U;
-  bits = (bits ^ bits >> 27) * 0x94d049bb133111ebU;
-  return (double)((bits ^ bits >> 31) >> 11) * 0x1p-53;
-}
-
-/* ------------------------------------------------------------------------------------ candidates
- */
-
-/** What a side of a loop costs, or at least that it is more than `limit`. */
-static double score_side(sheet_search *search, const sheet_taste *taste, int32_t entry,
-                         double limit) {
-  front_region *region = &search->region;
-  double stretch = 1 + taste->noise * next_random(&search->random);
-  front_region_begin(&search->front, entry, region);
-  double score = stretch * region_rim_score(&search->front, region, limit / stretch);
-  if (score > limit)
-    return score;
-  size_t most = search->front.alive_count;
-  double quads = (limit - score) / (stretch * taste->hex_weight);
-  if (quads < (double)most)
-    most = (size_t)quads;
-  bool filled = front_region_fill(&search->front, most, region);
-  score += stretch * taste->hex_weight * (double)region->quad_count;
-  return filled ? score + stretch * region_inner_score(&search->front, region) : score;
-}
-
-static int by_score(const void *a, const void *b) {
-  const sheet_candidate *left = a, *right = b;
-  if (left->score != right->score)
-    return left->score < right->score ? -1 : 1;
-  return (left->entry > right->entry) - (left->entry < right->entry);
-}
-
-/** The better side of a loop that may go; the score of one worse than `best` is only a bound. */
-static bool weigh_loop(sheet_search *search, const sheet_taste *taste, size_t loop, double best,
-                       sheet_candidate *out) {
-  int32_t left = front_loop_start(&search->front, loop), right = half_edge_turn(left, 2);
-  sheet_candidate a = {score_side(search, taste, left, best), left};
-  sheet_candidate b = {score_side(search, taste, right, fmin(a.score, best)), right};
-  *out = b.score < a.score ? b : a;
-  if (out->score > best)
-    return true;
-  front_region_begin(&search->front, out->entry, &search->region);
-  return front_can_lay(&search->front, &search->region);
-}
-
-/** Put the loops that may go on the stack, best first. */
 static hexcon_status push_level(hexcon_context *context, sheet_search *search,
                                 const sheet_taste *taste) {
-  size_t loops = search->front.loops.count, first = search->candidate_count;
-  if (first + loops > search->candidate_room) {
-    size_t room = 2 * (first + loops);
-    sheet_candidate *grown = context_grow(context, search->candidates, room, sizeof *grown);
-    if (!grown)
-      return HEXCON_OUT_OF_MEMORY;
-    search->candidates = grown;
-    search->candidate_room = room;
-  }
-  double best = INFINITY;
-  for (size_t i = 0; i < loops; i++) {
-    sheet_candidate *candidate = &search->candidates[search->candidate_count];
-    if (search->front.gone[i] || search->front.loops.self_crossings[i] ||
-        !weigh_loop(search, taste, i, best, candidate))
-      continue;
-    search->candidate_count++;
-    best = fmin(best, candidate->score);
-  }
-  qsort(search->candidates + first, search->candidate_count - first, sizeof *search->candidates,
-        by_score);
+  size_t first = search->candidates.count;
   search->levels[search->level_count++] = (sheet_level){first, first};
   search->step_count++;
-  return HEXCON_OK;
+  return candidates_push(context, &search->front, &search->region, taste, &search->candidates);
 }
 
 /* ---------------------------------------------------------------------------------------- layers
@@ -143,15 +72,13 @@ static hexcon_status lay(hexcon_context *context, sheet_search *search) {
                      front->mesh.point_count, search->points);
 }
 
-/** Lay a layer beside the ring of an entry. @param laid  false: the front would not be proper */
-static hexcon_status lay_candidate(hexcon_context *context, sheet_search *search, int32_t entry,
-                                   bool *laid) {
-  front_region_begin(&search->front, entry, &search->region);
-  *laid = front_can_lay(&search->front, &search->region) &&
-          front_region_fill(&search->front, search->front.alive_count, &search->region);
+/** @param laid  false: the front would not be proper */
+static hexcon_status lay_candidate(hexcon_context *context, sheet_search *search,
+                                   const sheet_candidate *candidate, bool *laid) {
+  *laid = candidate_find(&search->front, candidate, &search->region);
   if (!*laid)
     return HEXCON_OK;
-  search->path[search->front.layer_count] = entry;
+  search->path[search->front.layer_count] = *candidate;
   return lay(context, search);
 }
 
@@ -170,11 +97,11 @@ static hexcon_status advance(hexcon_context *context, sheet_search *search, bool
   *found = false;
   while (!status && !*found && search->level_count) {
     sheet_level *level = &search->levels[search->level_count - 1];
-    if (level->next < search->candidate_count) {
-      status = lay_candidate(context, search, search->candidates[level->next++].entry, found);
+    if (level->next < search->candidates.count) {
+      status = lay_candidate(context, search, &search->candidates.items[level->next++], found);
       continue;
     }
-    search->candidate_count = level->first;
+    search->candidates.count = level->first;
     if (--search->level_count)
       front_take_back(&search->front);
   }
@@ -188,7 +115,7 @@ static hexcon_status return_to_best(hexcon_context *context, sheet_search *searc
   hexcon_status status = HEXCON_OK;
   bool laid = true;
   for (size_t i = 0; !status && laid && i < search->best_count; i++)
-    status = lay_candidate(context, search, search->best_path[i], &laid);
+    status = lay_candidate(context, search, &search->best_path[i], &laid);
   return status;
 }
 

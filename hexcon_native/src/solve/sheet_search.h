@@ -3,21 +3,8 @@
 #ifndef HEXCON_SOLVE_SHEET_SEARCH_H
 #define HEXCON_SOLVE_SHEET_SEARCH_H
 
-#include "construct/sheet_front.h"
 #include "shape/layer_placement.h"
-
-/** How layers are weighed against each other. */
-typedef struct sheet_taste {
-  double hex_weight; /**< square radians that a hex may save */
-  double noise;      /**< scores are stretched by up to this factor more, at random */
-  uint64_t seed;
-} sheet_taste;
-
-/** A layer that may be laid: the ring passing this entry, with the region on its left. */
-typedef struct sheet_candidate {
-  double score; /**< the worse ones only know that they are worse */
-  int32_t entry;
-} sheet_candidate;
+#include "sheet_candidates.h"
 
 /** The candidates of one front, in the search's stack. */
 typedef struct sheet_level {
@@ -39,12 +26,11 @@ typedef struct sheet_search {
   /* Private. */
   front_region region;
   layer_placement placement;
-  size_t candidate_count, candidate_room, level_count;
-  sheet_candidate *candidates;
-  sheet_level *levels;           /* [loops + 1] */
-  int32_t *path, *best_path;     /* [loops] entries of the layers laid, and to the smallest core */
-  size_t best_count, best_alive; /* layers of best_path, and the quads left */
-  uint64_t random;
+  candidate_stack candidates;
+  size_t level_count;
+  sheet_level *levels;               /* [loops + 1] */
+  sheet_candidate *path, *best_path; /* [loops] the layers laid, and to the smallest core */
+  size_t best_count, best_alive;     /* layers of best_path, and the quads left */
 } sheet_search;
 
 /**

@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+#include "sheet_candidates.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "region_score.h"
+
+/** Pairs of loops looked at on one front. */
+enum { MOST_PAIRS = 400 };
+
+hexcon_status candidates_new(hexcon_context *context, const sheet_front *front, uint64_t seed,
+                             candidate_stack *out) {
+  memset(out, 0, sizeof *out);
+  out->random = seed;
+  out->sides = context_allocate(context, front->loops.count, 2 * sizeof *out->sides);
+  return out->sides ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
+}
+
+void candidates_free(hexcon_context *context, candidate_stack *stack) {
+  context_free(context, stack->items);
+  context_free(context, stack->sides);
+  memset(stack, 0, sizeof *stack);
+}
+
+/** splitmix64, even in 0 .. 1. */
+static double next_random(uint64_t *state) {
+  uint64_t bits = *state += 0x9e3779b97f4a7c15U;
+  bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9U;
+  bits = (bits ^ bits >> 27) * 0x94d049bb133111ebU;
+  return (double)((bits ^ bits >> 31) >> 11) * 0x1p-53;
+}
+
+/** True if the candidate's rings do not meet. */
+static bool find_rings(const sheet_front *front, const sheet_candidate *candidate,
+                       front_region *region) {
+  front_region_begin(front, candidate->entries[0], region);
+  return candidate->entries[1] < 0 || front_region_add_ring(front, candidate->entries[1], region);
+}
+
+bool candidate_find(sheet_front *front, const sheet_candidate *candidate, front_region *region) {
+  return find_rings(front, candidate, region) && front_can_lay(front, region) &&
+         front_region_fill(front, front->alive_count, region);
+}
+
+/** Add to a rim's score that of the region inside; infinite where there is none, or a bound where
+ * it is above the limit. */
+static double add_inner_score(const sheet_front *front, const sheet_taste *taste, double rim_score,
+                              double limit, front_region *region) {
+  size_t most = front->alive_count;
+  double quads = (limit - rim_score) / taste->hex_weight;
+  if (quads < (double)most)
+    most = (size_t)fmax(quads, 0);
+  bool filled = front_region_fill(front, most, region);
+  double score = rim_score + taste->hex_weight * (double)region->quad_count;
+  if (!filled)
+    return region->quad_count > most ? score : INFINITY;
+  return score + region_inner_score(front, region);
+}
+
+static sheet_candidate weigh_side(sheet_front *front, front_region *region,
+                                  const sheet_taste *taste, int32_t entry, double limit,
+                                  candidate_stack *stack) {
+  front_region_begin(front, entry, region);
+  double score = region_rim_score(front, region, limit);
+  stack->sides[stack->side_count++] = (loop_side){score, entry};
+  if (score <= limit)
+    score = add_inner_score(front, taste, score, limit, region);
+  score *= 1 + taste->noise * next_random(&stack->random);
+  return (sheet_candidate){score, {entry, -1}};
+}
+
+static hexcon_status reserve(hexcon_context *context, candidate_stack *stack, size_t more) {
+  if (stack->count + more <= stack->room)
+    return HEXCON_OK;
+  size_t room = 2 * (stack->count + more);
+  sheet_candidate *grown = context_grow(context, stack->items, room, sizeof *grown);
+  if (!grown)
+    return HEXCON_OUT_OF_MEMORY;
+  stack->items = grown;
+  stack->room = room;
+  return HEXCON_OK;
+}
+
+/** Push the better side of every loop that may go. @return the best score */
+static double push_loops(sheet_front *front, front_region *region, const sheet_taste *taste,
+                         candidate_stack *stack) {
+  double best = INFINITY;
+  stack->side_count = 0;
+  for (size_t i = 0; i < front->loops.count; i++) {
+    if (front->gone[i] || front->loops.self_crossings[i])
+      continue;
+    int32_t left = front_loop_start(front, i), right = half_edge_turn(left, 2);
+    sheet_candidate a = weigh_side(front, region, taste, left, best, stack);
+    sheet_candidate b = weigh_side(front, region, taste, right, fmin(a.score, best), stack);
+    a = b.score < a.score ? b : a;
+    (void)find_rings(front, &a, region);
+    if (a.score <= best && !front_can_lay(front, region))
+      continue;
+    stack->items[stack->count++] = a;
+    best = fmin(best, a.score);
+  }
+  return best;
+}
+
+static int by_rim_score(const void *a, const void *b) {
+  const loop_side *left = a, *right = b;
+  if (left->rim_score != right->rim_score)
+    return left->rim_score < right->rim_score ? -1 : 1;
+  return (left->entry > right->entry) - (left->entry < right->entry);
+}
+
+/** A pair of sides, with a region between them that can be laid; infinitely bad if there is none.
+ */
+static sheet_candidate weigh_pair(sheet_front *front, front_region *region,
+                                  const sheet_taste *taste, const loop_side *a, const loop_side *b,
+                                  double limit) {
+  sheet_candidate pair = {INFINITY, {a->entry, b->entry}};
+  if (find_rings(front, &pair, region) && front_can_lay(front, region))
+    pair.score = add_inner_score(front, taste, a->rim_score + b->rim_score, limit, region);
+  return pair;
+}
+
+/** Push pairs of loops that are better than `best`, each better than those before. */
+static void push_pairs(sheet_front *front, front_region *region, const sheet_taste *taste,
+                       double best, candidate_stack *stack) {
+  size_t tried = 0;
+  qsort(stack->sides, stack->side_count, sizeof *stack->sides, by_rim_score);
+  for (size_t j = 1; j < stack->side_count && tried < MOST_PAIRS; j++) {
+    const loop_side *b = &stack->sides[j];
+    if (stack->sides[0].rim_score + b->rim_score >= best)
+      return;
+    for (size_t i = 0; i < j && tried < MOST_PAIRS; i++, tried++) {
+      const loop_side *a = &stack->sides[i];
+      if (a->rim_score + b->rim_score >= best)
+        break;
+      sheet_candidate pair = weigh_pair(front, region, taste, a, b, best);
+      pair.score *= 1 + taste->noise * next_random(&stack->random);
+      if (pair.score < best) {
+        stack->items[stack->count++] = pair;
+        best = pair.score;
+      }
+    }
+  }
+}
+
+static int by_score(const void *a, const void *b) {
+  const sheet_candidate *left = a, *right = b;
+  if (left->score != right->score)
+    return left->score < right->score ? -1 : 1;
+  return (left->entries[0] > right->entries[0]) - (left->entries[0] < right->entries[0]);
+}
+
+hexcon_status candidates_push(hexcon_context *context, sheet_front *front, front_region *region,
+                              const sheet_taste *taste, candidate_stack *stack) {
+  size_t first = stack->count;
+  hexcon_status status = reserve(context, stack, front->loops.count + MOST_PAIRS);
+  if (status)
+    return status;
+  double best = push_loops(front, region, taste, stack);
+  push_pairs(front, region, taste, best, stack);
+  qsort(stack->items + first, stack->count - first, sizeof *stack->items, by_score);
+  return HEXCON_OK;
+}
