@@ -9,6 +9,7 @@ void sheet_search_free(hexcon_context *context, sheet_search *search) {
   layer_placement_free(context, &search->placement);
   context_free(context, search->points);
   candidates_free(context, &search->candidates);
+  visited_free(context, &search->visited);
   context_free(context, search->levels);
   context_free(context, search->path);
   context_free(context, search->best_path);
@@ -72,14 +73,25 @@ static hexcon_status lay(hexcon_context *context, sheet_search *search) {
                      front->mesh.point_count, search->points);
 }
 
-/** @param laid  false: the front would not be proper */
+/** Key of the set of loops that a layer takes away. */
+static uint64_t layer_key(const sheet_search *search, const sheet_candidate *layer) {
+  const int32_t *loops = search->front.loops.loop_of_passage;
+  uint64_t key = visited_key(loops[surface_passage(layer->entries[0])]);
+  if (layer->entries[1] >= 0)
+    key ^= visited_key(loops[surface_passage(layer->entries[1])]);
+  return key;
+}
+
 static hexcon_status lay_candidate(hexcon_context *context, sheet_search *search,
-                                   const sheet_candidate *candidate, bool *laid) {
-  *laid = candidate_find(&search->front, candidate, &search->region);
-  if (!*laid)
-    return HEXCON_OK;
+                                   const sheet_candidate *candidate) {
+  search->key ^= layer_key(search, candidate);
   search->path[search->front.layer_count] = *candidate;
   return lay(context, search);
+}
+
+static void take_back(sheet_search *search) {
+  front_take_back(&search->front);
+  search->key ^= layer_key(search, &search->path[search->front.layer_count]);
 }
 
 static void keep_best(sheet_search *search) {
@@ -90,32 +102,47 @@ static void keep_best(sheet_search *search) {
   memcpy(search->best_path, search->path, search->best_count * sizeof *search->path);
 }
 
-/** Lay the next candidate that can be; where a level has none, go back to the one before.
- * @param found  false: there is no level left */
-static hexcon_status advance(hexcon_context *context, sheet_search *search, bool *found) {
-  hexcon_status status = HEXCON_OK;
-  *found = false;
-  while (!status && !*found && search->level_count) {
-    sheet_level *level = &search->levels[search->level_count - 1];
-    if (level->next < search->candidates.count) {
-      status = lay_candidate(context, search, &search->candidates.items[level->next++], found);
-      continue;
-    }
-    search->candidates.count = level->first;
-    if (--search->level_count)
-      front_take_back(&search->front);
+/** The next candidate of the last level that leads to a new front, whose region is found then; NULL
+ * if there is none. */
+static const sheet_candidate *next_candidate(sheet_search *search) {
+  sheet_level *level = &search->levels[search->level_count - 1];
+  while (level->next < search->candidates.count) {
+    const sheet_candidate *candidate = &search->candidates.items[level->next++];
+    if (!visited_has(&search->visited, search->key ^ layer_key(search, candidate)) &&
+        candidate_find(&search->front, candidate, &search->region))
+      return candidate;
   }
-  return status;
+  return NULL;
+}
+
+/** Back from a dead end by 1, 2, 1, 4, 1, 2, 1, 8 ... levels, as what is wrong may have begun early,
+ * but not beyond the first. */
+static void go_back(sheet_search *search) {
+  size_t count = ++search->dead_ends;
+  for (count &= ~count + 1; count && search->level_count > 1; count--) {
+    search->candidates.count = search->levels[--search->level_count].first;
+    take_back(search);
+  }
+}
+
+/** Lay the next candidate. @param found  false: there is none left */
+static hexcon_status advance(hexcon_context *context, sheet_search *search, bool *found) {
+  const sheet_candidate *candidate = NULL;
+  while (!(candidate = next_candidate(search)) && search->level_count > 1)
+    go_back(search);
+  *found = candidate != NULL;
+  hexcon_status status = candidate ? lay_candidate(context, search, candidate) : HEXCON_OK;
+  return status ? status : visited_add(context, &search->visited, search->key);
 }
 
 /** Go to the smallest core met. */
 static hexcon_status return_to_best(hexcon_context *context, sheet_search *search) {
   while (search->front.layer_count)
-    front_take_back(&search->front);
+    take_back(search);
   hexcon_status status = HEXCON_OK;
-  bool laid = true;
-  for (size_t i = 0; !status && laid && i < search->best_count; i++)
-    status = lay_candidate(context, search, &search->best_path[i], &laid);
+  for (size_t i = 0; !status && i < search->best_count; i++)
+    if (candidate_find(&search->front, &search->best_path[i], &search->region))
+      status = lay_candidate(context, search, &search->best_path[i]);
   return status;
 }
 

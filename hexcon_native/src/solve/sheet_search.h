@@ -5,6 +5,7 @@
 
 #include "shape/layer_placement.h"
 #include "sheet_candidates.h"
+#include "visited_sets.h"
 
 /** The candidates of one front, in the search's stack. */
 typedef struct sheet_level {
@@ -27,6 +28,9 @@ typedef struct sheet_search {
   front_region region;
   layer_placement placement;
   candidate_stack candidates;
+  visited_sets visited; /* sets of loops taken away: what is left depends on nothing else */
+  uint64_t key;         /* of the present one */
+  size_t dead_ends;
   size_t level_count;
   sheet_level *levels;               /* [loops + 1] */
   sheet_candidate *path, *best_path; /* [loops] the layers laid, and to the smallest core */
@@ -34,9 +38,10 @@ typedef struct sheet_search {
 } sheet_search;
 
 /**
- * Lay layers until a cube is left or the steps are used up: the best first, and other ones where
- * that ends nowhere.
- * @param limit  quads visited, times loops, that may be spent after the first dead end
+ * Lay layers until a cube is left or the limit is reached: the best first, and other ones where
+ * that ends nowhere. Dead ends go back by one layer, now and then by 2, 4, 8 ..., and nothing is
+ * visited twice.
+ * @param limit  sum of the quads of fronts that are no smaller than the smallest one before
  * @param out    free with sheet_search_free, also after an error
  * Cost: a step is linear in the front; natural meshes need one for each loop, so n^1.5 in all.
  * Errors: OUT_OF_MEMORY, TOO_LARGE, CANCELLED.
