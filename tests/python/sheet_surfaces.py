@@ -11,6 +11,8 @@ from mesh_checker import EDGES, FACES
 from scipy.spatial import ConvexHull
 from surfaces import used_only
 
+import hexcon_native as hn
+
 # --------------------------------------------------------------------------------------- polytopes
 
 
@@ -86,9 +88,7 @@ def midpoint_subdivision(polytope, s=1):
 
 def boundary(points, hexes):
     """The surface of a hex mesh, quads outward."""
-    sides = hexes[:, FACES].reshape(-1, 4)
-    _, number, count = np.unique(np.sort(sides, axis=1), axis=0, return_inverse=True, return_counts=True)
-    return used_only(points, sides[count[number.reshape(-1)] == 1])
+    return used_only(points, quads_of(hexes))
 
 
 def grid_mesh(nx, ny, nz):
@@ -132,9 +132,11 @@ def insert_sheet(points, hexes, inside):
 
 
 def random_sheets(rng, count):
-    """A hex mesh: a small grid with `count` sheets put in, each about the hexes near a random place."""
+    """A hex mesh: a small grid with up to `count` sheets put in, each about the hexes near a random place."""
     points, hexes = grid_mesh(*rng.integers(2, 5, 3))
-    while count:
+    for _ in range(10 * count):
+        if not count:
+            break
         center = points[hexes].mean(axis=1)
         at = center[rng.integers(len(center))] + rng.normal(size=3) * 0.3
         if rng.random() < 0.5:                          # on one side of a plane
@@ -150,9 +152,17 @@ def random_sheets(rng, count):
 
 
 def is_ball(points, hexes):
-    """A proper mesh whose surface is a proper sphere."""
-    from mesh_checker import conformity_faults, improper_pairs
-    if conformity_faults(hexes) or improper_pairs(hexes):
-        return False
+    """A proper mesh whose surface is a sphere."""
     surface_points, quads = boundary(points, hexes)
-    return len(surface_points) == len(quads) + 2
+    try:
+        proved = hn.certify(points, hexes, quads_of(hexes))
+    except hn.HexconError:
+        return False
+    return proved.conforming and proved.proper and len(surface_points) == len(quads) + 2
+
+
+def quads_of(hexes):
+    """Faces in one hex only, ids as in the mesh."""
+    sides = hexes[:, FACES].reshape(-1, 4)
+    _, number, count = np.unique(np.sort(sides, axis=1), axis=0, return_inverse=True, return_counts=True)
+    return sides[count[number.reshape(-1)] == 1]

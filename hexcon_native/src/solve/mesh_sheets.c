@@ -16,7 +16,7 @@ static const sheet_taste tastes[] = {{0.05, 0, 1}, {1, 0, 2}, {0.3, 0.5, 3},
                                      {0.1, 2, 4},  {1, 2, 5}, {1, 8, 6}};
 enum { TASTES = sizeof tastes / sizeof *tastes };
 
-/** Of tastes that lead to a mesh, so many are compared. */
+/** Of tastes that lead to a valid mesh, so many are compared. */
 enum { MESHES_COMPARED = 2 };
 
 /** Quads visited beyond dead ends, for each taste. */
@@ -55,8 +55,11 @@ static bool is_better(const filling *a, const filling *b) {
   return a->worst > b->worst;
 }
 
-static bool is_good(const filling *f) {
-  return f->points && f->inverted == 0 && f->worst >= good_part * f->bound;
+/** True if no further taste is worth its while. */
+static bool is_enough(const effort *e, const filling *best) {
+  bool valid = best->points && best->inverted == 0;
+  return e->taste_count == TASTES || (valid && e->mesh_count >= MESHES_COMPARED) ||
+         (valid && best->worst >= good_part * best->bound);
 }
 
 static void measure(filling *f) {
@@ -193,7 +196,7 @@ hexcon_status mesh_sheets(hexcon_context *context, const surface *s, hexcon_mesh
   filling best = {0};
   double start = mesh_clock();
   hexcon_status status = check_sphere(context, s);
-  while (!status && e.taste_count < TASTES && e.mesh_count < MESHES_COMPARED && !is_good(&best))
+  while (!status && !is_enough(&e, &best))
     status = try_taste(context, s, &tastes[e.taste_count], &e, &best);
   if (!status && !best.points)
     status = fail(context, s, &e);

@@ -59,16 +59,14 @@ static double add_inner_score(const sheet_front *front, const sheet_taste *taste
   return score + region_inner_score(front, region);
 }
 
-static sheet_candidate weigh_side(sheet_front *front, front_region *region,
-                                  const sheet_taste *taste, int32_t entry, double limit,
-                                  candidate_stack *stack) {
-  front_region_begin(front, entry, region);
+static sheet_candidate weigh_side(const sheet_front *front, front_region *region,
+                                  const sheet_taste *taste, loop_side *side, double limit) {
+  front_region_begin(front, side->entry, region);
   double score = region_rim_score(front, region, limit);
-  stack->sides[stack->side_count++] = (loop_side){score, entry};
+  side->rim_score = score;
   if (score <= limit)
     score = add_inner_score(front, taste, score, limit, region);
-  score *= 1 + taste->noise * next_random(&stack->random);
-  return (sheet_candidate){score, {entry, -1}};
+  return (sheet_candidate){score, {side->entry, -1}};
 }
 
 static hexcon_status reserve(hexcon_context *context, candidate_stack *stack, size_t more) {
@@ -83,32 +81,48 @@ static hexcon_status reserve(hexcon_context *context, candidate_stack *stack, si
   return HEXCON_OK;
 }
 
-/** Push the better side of every loop that may go. @return the best score */
-static double push_loops(sheet_front *front, front_region *region, const sheet_taste *taste,
-                         candidate_stack *stack) {
-  double best = INFINITY;
-  stack->side_count = 0;
-  for (size_t i = 0; i < front->loops.count; i++) {
-    if (front->gone[i] || front->loops.self_crossings[i])
-      continue;
-    int32_t left = front_loop_start(front, i), right = half_edge_turn(left, 2);
-    sheet_candidate a = weigh_side(front, region, taste, left, best, stack);
-    sheet_candidate b = weigh_side(front, region, taste, right, fmin(a.score, best), stack);
-    a = b.score < a.score ? b : a;
-    (void)find_rings(front, &a, region);
-    if (a.score <= best && !front_can_lay(front, region))
-      continue;
-    stack->items[stack->count++] = a;
-    best = fmin(best, a.score);
-  }
-  return best;
-}
-
 static int by_rim_score(const void *a, const void *b) {
   const loop_side *left = a, *right = b;
   if (left->rim_score != right->rim_score)
     return left->rim_score < right->rim_score ? -1 : 1;
   return (left->entry > right->entry) - (left->entry < right->entry);
+}
+
+/** Both sides of every loop that does not cross itself, with what their rims cost as far as that
+ * tells which may be best; those first. */
+static void list_sides(sheet_front *front, front_region *region, const sheet_taste *taste,
+                       candidate_stack *stack) {
+  double best = INFINITY;
+  double most_inside = taste->hex_weight * (double)front->alive_count;
+  stack->side_count = 0;
+  for (size_t i = 0; i < front->loops.count; i++) {
+    if (front->gone[i] || front->loops.self_crossings[i])
+      continue;
+    int32_t entry = front_loop_start(front, i);
+    for (int turn = 0; turn < 4; turn += 2) {
+      loop_side *side = &stack->sides[stack->side_count++];
+      side->entry = half_edge_turn(entry, turn);
+      front_region_begin(front, side->entry, region);
+      side->rim_score = region_rim_score(front, region, best + most_inside);
+      best = fmin(best, side->rim_score);
+    }
+  }
+  qsort(stack->sides, stack->side_count, sizeof *stack->sides, by_rim_score);
+}
+
+/** Push the sides of loops that may go. @return the best score */
+static double push_sides(sheet_front *front, front_region *region, const sheet_taste *taste,
+                         candidate_stack *stack) {
+  double best = INFINITY;
+  for (size_t i = 0; i < stack->side_count; i++) {
+    sheet_candidate candidate = weigh_side(front, region, taste, &stack->sides[i], best);
+    candidate.score *= 1 + taste->noise * next_random(&stack->random);
+    if (candidate.score < best && !front_can_lay(front, region))
+      continue;
+    stack->items[stack->count++] = candidate;
+    best = fmin(best, candidate.score);
+  }
+  return best;
 }
 
 /** A pair of sides, with a region between them that can be laid; infinitely bad if there is none.
@@ -155,10 +169,11 @@ static int by_score(const void *a, const void *b) {
 hexcon_status candidates_push(hexcon_context *context, sheet_front *front, front_region *region,
                               const sheet_taste *taste, candidate_stack *stack) {
   size_t first = stack->count;
-  hexcon_status status = reserve(context, stack, front->loops.count + MOST_PAIRS);
+  hexcon_status status = reserve(context, stack, 2 * front->loops.count + MOST_PAIRS);
   if (status)
     return status;
-  double best = push_loops(front, region, taste, stack);
+  list_sides(front, region, taste, stack);
+  double best = push_sides(front, region, taste, stack);
   push_pairs(front, region, taste, best, stack);
   qsort(stack->items + first, stack->count - first, sizeof *stack->items, by_score);
   return HEXCON_OK;

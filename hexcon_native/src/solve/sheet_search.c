@@ -115,8 +115,8 @@ static const sheet_candidate *next_candidate(sheet_search *search) {
   return NULL;
 }
 
-/** Back from a dead end by 1, 2, 1, 4, 1, 2, 1, 8 ... levels, as what is wrong may have begun early,
- * but not beyond the first. */
+/** Back from a dead end by 1, 2, 1, 4, 1, 2, 1, 8 ... levels, as what is wrong may have begun
+ * early, but not beyond the first. */
 static void go_back(sheet_search *search) {
   size_t count = ++search->dead_ends;
   for (count &= ~count + 1; count && search->level_count > 1; count--) {
