@@ -127,9 +127,10 @@ static hexcon_status call_morph_boundary(hexcon_context *context, material *m) {
                       &reached);
 }
 
-static hexcon_status mesh_of(hexcon_context *context, const test_mesh *surface, int order) {
+static hexcon_status mesh_by(hexcon_context *context, const test_mesh *surface,
+                             hexcon_method method, int order) {
   hexcon_mesh *mesh = (hexcon_mesh *)context;
-  const hexcon_mesh_options options = {.method = HEXCON_METHOD_SWEPT, .order = order};
+  const hexcon_mesh_options options = {.method = method, .order = order};
   hexcon_status status = hexcon_mesh_surface(context, surface->points, surface->surface_point_count,
                                              surface->quads, surface->quad_count, &options, &mesh);
   if (status)
@@ -138,6 +139,10 @@ static hexcon_status mesh_of(hexcon_context *context, const test_mesh *surface, 
     assert_true(hexcon_mesh_certificate(mesh)->certified);
   hexcon_mesh_free(context, mesh);
   return status;
+}
+
+static hexcon_status mesh_of(hexcon_context *context, const test_mesh *surface, int order) {
+  return mesh_by(context, surface, HEXCON_METHOD_SWEPT, order);
 }
 
 static hexcon_status call_raise_order(hexcon_context *context, material *m) {
@@ -214,6 +219,17 @@ static hexcon_status call_mesh_no_sides(hexcon_context *context, material *m) {
   return status == HEXCON_NO_SIDES ? HEXCON_OK : status;
 }
 
+/** With rims that do not move as one, and improvement. */
+static hexcon_status call_mesh_sheets(hexcon_context *context, material *m) {
+  return mesh_by(context, &m->twisted, HEXCON_METHOD_SHEETS, 1);
+}
+
+/** With dead ends and a core. */
+static hexcon_status call_mesh_no_sheets(hexcon_context *context, material *m) {
+  hexcon_status status = mesh_by(context, &m->not_swept, HEXCON_METHOD_SHEETS, 1);
+  return status == HEXCON_NO_SHEETS ? HEXCON_OK : status;
+}
+
 static const struct {
   const char *name;
   public_call call;
@@ -238,7 +254,9 @@ static const struct {
              {"mesh four-split", call_mesh_four_split},
              {"mesh pyramid", call_mesh_pyramid},
              {"mesh geode-alt", call_mesh_geode_alt},
-             {"mesh no sides", call_mesh_no_sides}};
+             {"mesh no sides", call_mesh_no_sides},
+             {"mesh sheets", call_mesh_sheets},
+             {"mesh no sheets", call_mesh_no_sheets}};
 
 enum { CALL_COUNT = sizeof calls / sizeof *calls };
 

@@ -12,13 +12,14 @@ static double square(double x) {
 
 /** Angle in radians by which the surface turns at an edge: pi / 2 at a box's, < 0 in a notch. */
 static double signed_bend(const surface *s, int32_t half_edge) {
-  double a[3], b[3], along[3];
+  double a[3], b[3], along[3], cross[3];
   surface_quad_normal(s, half_edge_quad(half_edge), a);
   surface_quad_normal(s, half_edge_quad(s->twins[half_edge]), b);
   vector_subtract(s->points + 3 * (size_t)half_edge_end(s, half_edge),
                   s->points + 3 * (size_t)half_edge_start(s, half_edge), along);
-  double bend = surface_bend(s, half_edge);
-  return vector_determinant(a, b, along) < 0 ? -bend : bend;
+  vector_cross(a, b, cross);
+  double bend = atan2(vector_length(cross), vector_dot(a, b));
+  return vector_dot(cross, along) < 0 ? -bend : bend;
 }
 
 /** Quads of the region at the inner end of a rung. */

@@ -10,6 +10,9 @@
 /** Pairs of loops looked at on one front. */
 enum { MOST_PAIRS = 400 };
 
+/** Rims this many times worse than the best come last, in any order. */
+static const double clear_lead = 2;
+
 hexcon_status candidates_new(hexcon_context *context, const sheet_front *front, uint64_t seed,
                              candidate_stack *out) {
   memset(out, 0, sizeof *out);
@@ -90,10 +93,8 @@ static int by_rim_score(const void *a, const void *b) {
 
 /** Both sides of every loop that does not cross itself, with what their rims cost as far as that
  * tells which may be best; those first. */
-static void list_sides(sheet_front *front, front_region *region, const sheet_taste *taste,
-                       candidate_stack *stack) {
+static void list_sides(sheet_front *front, front_region *region, candidate_stack *stack) {
   double best = INFINITY;
-  double most_inside = taste->hex_weight * (double)front->alive_count;
   stack->side_count = 0;
   for (size_t i = 0; i < front->loops.count; i++) {
     if (front->gone[i] || front->loops.self_crossings[i])
@@ -103,7 +104,7 @@ static void list_sides(sheet_front *front, front_region *region, const sheet_tas
       loop_side *side = &stack->sides[stack->side_count++];
       side->entry = half_edge_turn(entry, turn);
       front_region_begin(front, side->entry, region);
-      side->rim_score = region_rim_score(front, region, best + most_inside);
+      side->rim_score = region_rim_score(front, region, clear_lead * best);
       best = fmin(best, side->rim_score);
     }
   }
@@ -172,7 +173,7 @@ hexcon_status candidates_push(hexcon_context *context, sheet_front *front, front
   hexcon_status status = reserve(context, stack, 2 * front->loops.count + MOST_PAIRS);
   if (status)
     return status;
-  list_sides(front, region, taste, stack);
+  list_sides(front, region, stack);
   double best = push_sides(front, region, taste, stack);
   push_pairs(front, region, taste, best, stack);
   qsort(stack->items + first, stack->count - first, sizeof *stack->items, by_score);

@@ -28,7 +28,7 @@ static hexcon_status begin(hexcon_context *context, const surface *s, const shee
   if (status)
     return status;
   size_t loops = search->front.loops.count;
-  search->best_alive = s->quad_count + 1;
+  search->best_alive = s->quad_count;
   search->point_room = s->point_count;
   search->points = context_allocate(context, s->point_count, 3 * sizeof *search->points);
   search->levels = context_allocate(context, loops + 1, sizeof *search->levels);
@@ -95,8 +95,6 @@ static void take_back(sheet_search *search) {
 }
 
 static void keep_best(sheet_search *search) {
-  if (search->front.alive_count >= search->best_alive)
-    return;
   search->best_alive = search->front.alive_count;
   search->best_count = search->front.layer_count;
   memcpy(search->best_path, search->path, search->best_count * sizeof *search->path);
@@ -151,7 +149,6 @@ hexcon_status sheet_search_run(hexcon_context *context, const surface *s, const 
   hexcon_status status = begin(context, s, taste, out);
   bool found = true;
   size_t spent = 0;
-  keep_best(out);
   while (!status && found && !front_is_hex(&out->front) && spent <= limit) {
     status = context_progress(context, "taking loops away",
                               1 - (double)out->best_alive / (double)s->quad_count);
@@ -161,7 +158,8 @@ hexcon_status sheet_search_run(hexcon_context *context, const surface *s, const 
       status = advance(context, out, &found);
     if (out->front.alive_count >= out->best_alive)
       spent += out->front.alive_count;
-    keep_best(out);
+    else if (!status)
+      keep_best(out);
   }
   if (!status && !front_is_hex(&out->front))
     return return_to_best(context, out);
