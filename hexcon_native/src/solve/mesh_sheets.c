@@ -16,8 +16,8 @@ static const sheet_taste tastes[] = {{0.05, 0, 1}, {1, 0, 2}, {0.3, 0.5, 3},
                                      {0.1, 2, 4},  {1, 2, 5}, {1, 8, 6}};
 enum { TASTES = sizeof tastes / sizeof *tastes };
 
-/** Of tastes that lead to a valid mesh, so many are compared. */
-enum { MESHES_COMPARED = 2 };
+/** Of tastes that lead to a mesh, so many are compared; more, if none is valid. */
+enum { MESHES_COMPARED = 2, MESHES_MOST = 3 };
 
 /** Quads visited beyond dead ends, for each taste. */
 enum { SEARCH_QUADS = 400000 };
@@ -58,7 +58,8 @@ static bool is_better(const filling *a, const filling *b) {
 /** True if no further taste is worth its while. */
 static bool is_enough(const effort *e, const filling *best) {
   bool valid = best->points && best->inverted == 0;
-  return e->taste_count == TASTES || (valid && e->mesh_count >= MESHES_COMPARED) ||
+  return e->taste_count == TASTES || e->mesh_count >= MESHES_MOST ||
+         (valid && e->mesh_count >= MESHES_COMPARED) ||
          (valid && best->worst >= good_part * best->bound);
 }
 

@@ -31,6 +31,7 @@ METHOD_WORDS = {
     "auto": QT_TRANSLATE_NOOP("HexCon", "automatic"),
     "swept": QT_TRANSLATE_NOOP("HexCon", "swept"),
     "cells": QT_TRANSLATE_NOOP("HexCon", "cells"),
+    "sheets": QT_TRANSLATE_NOOP("HexCon", "sheets"),
     "four-split": QT_TRANSLATE_NOOP("HexCon", "four-split"),
     "pyramid": QT_TRANSLATE_NOOP("HexCon", "pyramid"),
     "pyramid-alt": QT_TRANSLATE_NOOP("HexCon", "pyramid, alternative"),
