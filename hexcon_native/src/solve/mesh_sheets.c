@@ -152,13 +152,13 @@ static hexcon_status try_taste(hexcon_context *context, const surface *s, const 
 }
 
 static hexcon_status fail(hexcon_context *context, const surface *s, const effort *e) {
-  return context_fail(context, HEXCON_NO_SHEETS,
-                      "no order of the dual loops leads to a cube: of %zu quads, %zu layers of "
-                      "%zu hexes took %zu away, and left a core of %zu (those of the surface "
-                      "listed); every loop left crosses itself, or the surface would touch itself "
-                      "without it",
-                      s->quad_count, e->core_layers, e->core_hexes, s->quad_count - e->core_quads,
-                      e->core_quads);
+  return context_fail(
+      context, HEXCON_NO_SHEETS,
+      "no order of the dual loops that was tried leads to a cube: of %zu quads, %zu layers of "
+      "%zu hexes took %zu away, and left a core of %zu (those of the surface "
+      "listed), whose loops cross themselves or keep the surface from touching "
+      "itself",
+      s->quad_count, e->core_layers, e->core_hexes, s->quad_count - e->core_quads, e->core_quads);
 }
 
 static void hand_over(const surface *s, const effort *e, const filling *f, hexcon_mesh *mesh) {
