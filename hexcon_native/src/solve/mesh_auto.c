@@ -16,7 +16,8 @@ typedef struct candidate {
 /** In the order of their worth: fewest hexes first. The fewer a method takes, the less its
  * successors can win, so the lower is what suffices. */
 static const candidate candidates[] = {
-    {HEXCON_METHOD_SWEPT, "swept", false, 0.1},
+    {HEXCON_METHOD_SWEPT, "swept", false, 0.2},
+    {HEXCON_METHOD_SHEETS, "sheets", false, 0.1},
     {HEXCON_METHOD_CELLS, "cells", true, 0},
 };
 
