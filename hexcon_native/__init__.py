@@ -218,18 +218,25 @@ def colouring(quads):
     return spread
 
 
-def pairing(quads, points=None, *, progress=None):
+def pairing(quads, points=None, *, fewest=False, progress=None):
     """Pair every quad with a neighbour across an edge: a perfect matching of the dual graph.
 
     points    (P, 3), or None. With points, pairs are flat, of two like quads and not elongated, as
               far as can be: a total weight close to the greatest, not always the greatest
+    fewest    pair only what removes the self-crossings: once two hexes stand on each of these
+              pairs, no loop crosses itself. As few as a search finds; points are ignored
     progress  as mesh
-    Returns (n / 2, 2) int32: the quads of each pair ascending, pairs by their first quad. The same
-    for the same input. Raises as check_surface (without points never UNUSED_POINT), ODD, CANCELLED,
-    and NO_PAIRING with the quads left over: a component with an odd number of quads.
-    Cost: near-linear in n in practice.
+    Returns (n / 2, 2) int32, with fewest (k, 2), k <= n / 2: the quads of each pair ascending, pairs
+    by their first quad. The same for the same input. Raises as check_surface (without points never
+    UNUSED_POINT), ODD, CANCELLED, and NO_PAIRING with the quads left over: a component with an odd
+    number of quads; with fewest these two only where a loop crosses itself.
+    Cost: near-linear in n in practice; with fewest seconds from some hundred quads on.
     """
     quads = _ids(quads, 4, "quads")
+    if fewest:
+        with _packed_ids(quads) as (packed, _):
+            count = int(packed.max(initial=-1)) + 1
+            return _array(_core.pairing_of_crossings(count, packed, progress), np.int32, 2)
     if points is not None:
         points = _points(points)
         return _array(_core.pairing(points, len(points), quads, progress), np.int32, 2)

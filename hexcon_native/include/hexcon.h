@@ -161,6 +161,20 @@ hexcon_status hexcon_surface_pairing(hexcon_context *context, const double *poin
                                      size_t point_count, const int32_t *quads, size_t quad_count,
                                      int32_t *pairs);
 
+/**
+ * Pair only what removes the self-crossings: after the paired transition of these pairs alone, two
+ * hexes each, no loop of the surface crosses itself. As few pairs as a search finds, not always the
+ * fewest; none where no loop crosses itself. The same for the same input. Of quads that share
+ * several edges the pairs do not say which of these is meant. Time: some seconds from 150 quads on,
+ * up to half a minute for 10^6, linear beyond.
+ * @param pairs  [quad_count / 2][2] receives pair_count pairs, in hexcon_surface_pairing's order
+ * @return errors: those of hexcon_check_surface except UNUSED_POINT; CANCELLED; where a loop
+ *         crosses itself, ODD and NO_PAIRING
+ */
+hexcon_status hexcon_surface_pairing_of_crossings(hexcon_context *context, size_t point_count,
+                                                  const int32_t *quads, size_t quad_count,
+                                                  int32_t *pairs, size_t *pair_count);
+
 /* ------------------------------------------------------------------------------------- verify */
 
 /**

@@ -139,6 +139,33 @@ static PyObject *pairing(PyObject *module, PyObject *arguments) {
   return pairs;
 }
 
+static PyObject *pairing_of_crossings(PyObject *module, PyObject *arguments) {
+  (void)module;
+  Py_buffer quads;
+  Py_ssize_t point_count;
+  PyObject *callback;
+  if (!PyArg_ParseTuple(arguments, "ny*O", &point_count, &quads, &callback))
+    return NULL;
+  run r;
+  size_t quad_count = buffer_rows(&quads, 4, sizeof(int32_t)), pair_count = 0;
+  PyObject *pairs =
+      PyByteArray_FromStringAndSize(NULL, (Py_ssize_t)(quad_count / 2 * 2 * sizeof(int32_t)));
+  if (pairs && run_begin(&r, callback)) {
+    int32_t *out = (int32_t *)(void *)PyByteArray_AsString(pairs);
+    run_release(&r);
+    hexcon_status status = hexcon_surface_pairing_of_crossings(
+        r.context, (size_t)point_count, quads.buf, quad_count, out, &pair_count);
+    run_acquire(&r);
+    if (!run_end(&r, status) ||
+        PyByteArray_Resize(pairs, (Py_ssize_t)(2 * pair_count * sizeof(int32_t))))
+      Py_CLEAR(pairs);
+  } else {
+    Py_CLEAR(pairs);
+  }
+  PyBuffer_Release(&quads);
+  return pairs;
+}
+
 static PyObject *quality(PyObject *module, PyObject *arguments) {
   (void)module;
   Py_buffer points, hexes;
@@ -376,6 +403,8 @@ static PyMethodDef methods[] = {
     {"colouring", colouring, METH_VARARGS, "colouring(quads, point_count) -> bytearray"},
     {"pairing", pairing, METH_VARARGS,
      "pairing(points or None, point_count, quads, progress) -> bytearray of int32"},
+    {"pairing_of_crossings", pairing_of_crossings, METH_VARARGS,
+     "pairing_of_crossings(point_count, quads, progress) -> bytearray of int32"},
     {"quality", quality, METH_VARARGS, "quality(points, hexes) -> bytearray of float64"},
     {"certify", certify, METH_VARARGS, "certify(points, hexes, quads, progress) -> dict"},
     {"morph", morph, METH_VARARGS,

@@ -6,6 +6,7 @@
 #include "geometry.h"
 #include "half_edges.h"
 #include "loops.h"
+#include "pair_crossings.h"
 #include "pair_weights.h"
 #include "pairing.h"
 #include "star_center.h"
@@ -155,6 +156,8 @@ static hexcon_status pair_by_shape(hexcon_context *context, const surface *s,
 
 static void list_pairs(const surface *s, const int32_t *half_edge_of_quad, int32_t *pairs) {
   for (size_t q = 0; q < s->quad_count; q++) {
+    if (half_edge_of_quad[q] < 0)
+      continue;
     int32_t partner = half_edge_quad(s->twins[half_edge_of_quad[q]]);
     if ((int32_t)q < partner) {
       *pairs++ = (int32_t)q;
@@ -179,6 +182,29 @@ hexcon_status hexcon_surface_pairing(hexcon_context *context, const double *poin
                     : surface_pair(context, &s, NULL, half_edge_of_quad);
   if (!status)
     list_pairs(&s, half_edge_of_quad, pairs);
+  context_free(context, half_edge_of_quad);
+  surface_free(context, &s);
+  return status;
+}
+
+hexcon_status hexcon_surface_pairing_of_crossings(hexcon_context *context, size_t point_count,
+                                                  const int32_t *quads, size_t quad_count,
+                                                  int32_t *pairs, size_t *pair_count) {
+  context_clear(context);
+  *pair_count = 0;
+  surface s;
+  int32_t *half_edge_of_quad = NULL;
+  hexcon_status status = surface_build(context, NULL, point_count, quads, quad_count, &s);
+  if (!status) {
+    half_edge_of_quad = context_allocate(context, quad_count, sizeof *half_edge_of_quad);
+    status = half_edge_of_quad ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
+  }
+  if (!status)
+    status = surface_pair_crossings(context, &s, half_edge_of_quad, pair_count);
+  if (!status)
+    list_pairs(&s, half_edge_of_quad, pairs);
+  else
+    *pair_count = 0;
   context_free(context, half_edge_of_quad);
   surface_free(context, &s);
   return status;
