@@ -166,7 +166,7 @@ hexcon_status hexcon_surface_pairing(hexcon_context *context, const double *poin
  * hexes each, no loop of the surface crosses itself. As few pairs as a search finds, not always the
  * fewest; none where no loop crosses itself. The same for the same input. Of quads that share
  * several edges the pairs do not say which of these is meant. Time: some seconds from 150 quads on,
- * up to half a minute for 10^6, linear beyond.
+ * about a minute for 10^6, linear beyond.
  * @param pairs  [quad_count / 2][2] receives pair_count pairs, in hexcon_surface_pairing's order
  * @return errors: those of hexcon_check_surface except UNUSED_POINT; CANCELLED; where a loop
  *         crosses itself, ODD and NO_PAIRING
@@ -372,8 +372,8 @@ typedef struct hexcon_mesh hexcon_mesh;
  * Errors: those of hexcon_check_surface, SEVERAL_COMPONENTS, ODD, NOT_SWEPT, UNFILLABLE_QUAD,
  * NOT_STAR_SHAPED, NO_SHEETS, NO_PAIRING, BAD_PAIRING, SELF_CROSSING, NO_SIDES, NOT_A_BALL,
  * NOT_CERTIFIED, CANCELLED, OUT_OF_TIME, BAD_ARGUMENT, OUT_OF_MEMORY; `mesh` is then NULL. A
- * topological mesh that is conforming and has the surface for its boundary is no error. Cost: linear
- * in the hexes made, plus the optimisation of what is bad.
+ * topological mesh that is conforming and has the surface for its boundary is no error. Cost:
+ * linear in the hexes made, plus the optimisation of what is bad.
  */
 hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points, size_t point_count,
                                   const int32_t *quads, size_t quad_count,

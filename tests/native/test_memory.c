@@ -66,6 +66,16 @@ static hexcon_status call_pairing_topology(hexcon_context *context, material *m)
                                 m->torus.quad_count, pairs);
 }
 
+static hexcon_status call_pairing_of_crossings(hexcon_context *context, material *m) {
+  int32_t pairs[256];
+  size_t count;
+  hexcon_status status =
+      hexcon_surface_pairing_of_crossings(context, m->not_swept.point_count, m->not_swept.quads,
+                                          m->not_swept.quad_count, pairs, &count);
+  assert_true(status ? count == 0 : count > 0);
+  return status;
+}
+
 static hexcon_status call_quality(hexcon_context *context, material *m) {
   double values[256];
   return hexcon_quality(context, m->swept.points, m->swept.point_count, m->swept.hexes,
@@ -240,6 +250,7 @@ static const struct {
              {"colouring torus", call_colouring_torus},
              {"pairing", call_pairing},
              {"pairing topology", call_pairing_topology},
+             {"pairing crossings", call_pairing_of_crossings},
              {"quality", call_quality},
              {"certify", call_certify},
              {"certify bad", call_certify_bad},
