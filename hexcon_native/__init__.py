@@ -29,8 +29,8 @@ METHODS = {"auto": 0, "swept": 1, "cells": 2, "four-split": 3, "pyramid": 4, "py
 TOPOLOGICAL_METHODS = frozenset(METHODS) - {"auto", "swept", "cells", "sheets"}
 """Methods whose meshes are conforming, but have Jacobians of zero or below: for no solver."""
 
-PAIRINGS = {"all": 0, "none": 1}
-_GIVEN_PAIRS = 2
+PAIRINGS = {"all": 0, "fewest": 1, "none": 2}
+_GIVEN_PAIRS = 3
 
 __all__ = [
     "Certificate", "ErrorCode", "HexconError", "Loops", "METHODS", "Mesh", "PAIRINGS",
@@ -379,7 +379,8 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
                        it returns new points (K, 3) and tetrahedra (M, 4) of positive volume, ids
                        of given points, then of new ones, whose boundary is exactly the triangles;
                        or None where it finds none. The better of both is taken
-    pairing            topological methods: "all" quads are paired, "none", which needs a surface whose
+    pairing            topological methods: "all" quads are paired, the "fewest" that remove the self-crossings
+                       (see pairing), or "none", which needs a surface whose
                        loops do not cross themselves, or your pairs (k, 2) of quads that share an
                        edge, such that no loop crosses itself then
     budget             seconds after which what is being tried is given up and the best mesh until

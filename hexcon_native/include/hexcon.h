@@ -318,6 +318,7 @@ typedef enum hexcon_method {
 /** Which quads the topological methods pair, so that no dual loop crosses itself. */
 typedef enum hexcon_pairing {
   HEXCON_PAIRING_ALL = 0, /**< every quad, as hexcon_surface_pairing without points */
+  HEXCON_PAIRING_FEWEST,  /**< as hexcon_surface_pairing_of_crossings */
   HEXCON_PAIRING_NONE,    /**< for surfaces whose loops do not cross themselves anyway */
   HEXCON_PAIRING_GIVEN,   /**< the caller's pairs */
   HEXCON_PAIRING_COUNT

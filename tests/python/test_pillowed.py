@@ -86,3 +86,13 @@ def test_figures_of_the_report():
     told = hn.mesh(*schneiders_pyramid(), "pillowed").report
     assert told["hexes of pillows"] == 27 * 16
     assert sum(v for k, v in told.items() if k.startswith("hexes of")) == told["hexes"] == HEXES_A_QUAD * 16
+
+
+@pytest.mark.parametrize("surface", [schneiders_pyramid(), eppsteins_cube(("4", "4", "4", "3"), "black")])
+def test_fewest_pairs_make_fewer_hexes(surface):
+    points, quads = surface
+    mesh = hn.mesh(points, quads, "pillowed", pairing="fewest")
+    hexes = mesh.hexes.astype(np.int64)
+    assert mesh.report["pairs"] == len(hn.pairing(quads, fewest=True)) < len(quads) / 2
+    assert len(hexes) < HEXES_A_QUAD * len(quads)
+    assert conformity_faults(hexes) == boundary_faults(hexes, quads) == improper_pairs(hexes) == []

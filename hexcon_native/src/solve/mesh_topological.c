@@ -8,6 +8,7 @@
 #include "nested_mesh.h"
 #include "surface/given_pairs.h"
 #include "surface/loop_families.h"
+#include "surface/pair_crossings.h"
 #include "surface/pairing.h"
 
 /** How each method goes on from the surface. */
@@ -45,9 +46,12 @@ bool method_is_topological(hexcon_method method) {
 
 static hexcon_status choose_pairs(hexcon_context *context, const surface *s,
                                   const hexcon_mesh_options *options, int32_t *partner) {
+  size_t pair_count;
   switch (options->pairing) {
   case HEXCON_PAIRING_ALL:
     return surface_pair_across_single_edges(context, s, partner);
+  case HEXCON_PAIRING_FEWEST:
+    return surface_pair_crossings(context, s, partner, &pair_count);
   case HEXCON_PAIRING_GIVEN:
     return surface_read_pairs(context, s, options->pairs, options->pair_count, partner);
   default:
