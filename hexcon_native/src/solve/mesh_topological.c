@@ -302,7 +302,7 @@ static void name_fault(hexcon_context *context, hexcon_status status, const surf
                        const paired_surface *paired, const nested_mesh *nested) {
   if (status == HEXCON_NO_SIDES)
     list_surface_path(context, s->point_count, paired->pair_count, nested->grown.hexes);
-  if (status == HEXCON_SELF_CROSSING)
+  if (status == HEXCON_SELF_CROSSING && paired->partner)
     list_given_quads(context, s, paired);
 }
 

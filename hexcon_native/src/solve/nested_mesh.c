@@ -143,15 +143,9 @@ hexcon_status nested_mesh_split(hexcon_context *context, split_front *front, spl
 /* ---------------------------------------------------------------------------------------- closures
  */
 
-/** Rows of points called by a letter and 0 .. 3. */
-static void find_rows(const hex_template *t, const char *letters, int rows[4]) {
-  char label[8] = {0};
-  size_t length = strlen(letters);
-  memcpy(label, letters, length);
-  for (size_t i = 0; i < 4; i++) {
-    label[length] = (char)('0' + i);
-    rows[i] = template_row(t, label);
-  }
+static void find_rows(const hex_template *t, const char *const labels[4], int rows[4]) {
+  for (size_t i = 0; i < 4; i++)
+    rows[i] = template_row(t, labels[i]);
 }
 
 /** Where the template's points lie over a quad. A template with an apex is a pyramid: there the
@@ -159,9 +153,11 @@ static void find_rows(const hex_template *t, const char *letters, int rows[4]) {
  * @param depth  share of the way to the centre at its inner end */
 static split_place *make_places(hexcon_context *context, const hex_template *t, bool pyramid,
                                 double depth) {
+  static const char *const corner_labels[] = {"B0", "B1", "B2", "B3"};
+  static const char *const edge_labels[] = {"EB0", "EB1", "EB2", "EB3"};
   int corners[4], edges[4], middle = template_row(t, "Bc");
-  find_rows(t, "B", corners);
-  find_rows(t, "EB", edges);
+  find_rows(t, corner_labels, corners);
+  find_rows(t, edge_labels, edges);
   split_place *places = context_allocate(context, t->point_count, sizeof *places);
   for (size_t row = 0; places && row < t->point_count; row++) {
     const double *at = t->points[row].place;

@@ -12,7 +12,7 @@
  * to some thousand quads from no pairs too, simulated annealing makes and breaks pairs; what it
  * finds is never worse than all quads paired. Nothing says that there are not fewer. Deterministic.
  * Cost: a fixed amount of walking along loops, quadratic in quad_count up to 150 quads, constant up
- * to 4000, about linear beyond 10^6: some seconds, a minute for 10^6. Memory linear.
+ * to 4000, about linear beyond 10^6: some seconds, a minute for 8 * 10^5. Memory linear.
  *
  * @param half_edge_of_quad  [quad_count] receives the half-edge across which the partner lies, -1
  *                           of quads that have none; two quads may share several edges
