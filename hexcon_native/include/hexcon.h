@@ -58,6 +58,7 @@ typedef enum hexcon_status {
   HEXCON_NOT_SWEPT,                /**< elements: quads where the best attempt failed */
   HEXCON_NO_SHEETS,                /**< elements: quads of the core that no dual loop can be taken
                                         from, as far as they are the surface's */
+  HEXCON_NOT_DICED,                /**< elements: quads that do not fit a subdivision */
   HEXCON_NOT_CERTIFIED,            /**< elements: hexes whose Jacobian is not proved positive */
   HEXCON_OUT_OF_TIME,              /**< the time budget ran out before there was a mesh */
   HEXCON_STATUS_COUNT
@@ -300,6 +301,9 @@ typedef enum hexcon_method {
                                good; then the best certified mesh */
   HEXCON_METHOD_SWEPT,
   HEXCON_METHOD_CELLS, /**< any even surface of a convex or star-shaped body */
+  HEXCON_METHOD_DICED, /**< subdivided surfaces, of any genus: every edge of a coarser one of
+                            triangles and quads split in two, every face cut about a centre. 4 hexes
+                            for each tetrahedron inside, 36 on each coarse quad */
   /* Those of Carbonera and Shepherd, for n quads: topological, so their meshes are conforming, but
    * some Jacobians are zero or negative, whatever the points. auto never takes them. */
   HEXCON_METHOD_FOUR_SPLIT,  /**< 28 n hexes under the surface, down to quads that are all split in
@@ -352,7 +356,8 @@ typedef struct hexcon_mesh_options {
   bool allow_uncertified; /**< return the best mesh even if it is not certified */
   int threads;            /**< default: one per processor. The result does not depend on it */
   int layers;             /**< cells: at least so many layers of plain hexes before any cell */
-  hexcon_tetrahedralise tetrahedralise; /**< cells: NULL for none; then all meets in one point */
+  /** cells, diced: NULL for none; then all meets in one point, if one sees the whole surface */
+  hexcon_tetrahedralise tetrahedralise;
   void *tetrahedralise_user;
   hexcon_pairing pairing; /**< topological methods */
   const int32_t *pairs;   /**< [pair_count][2] quads that share an edge, if pairing is GIVEN */
@@ -371,10 +376,10 @@ typedef struct hexcon_mesh hexcon_mesh;
  * @param options  NULL for defaults
  * @param mesh     receives the result; free with hexcon_mesh_free
  * Errors: those of hexcon_check_surface, SEVERAL_COMPONENTS, ODD, NOT_SWEPT, UNFILLABLE_QUAD,
- * NOT_STAR_SHAPED, NO_SHEETS, NO_PAIRING, BAD_PAIRING, SELF_CROSSING, NO_SIDES, NOT_A_BALL,
- * NOT_CERTIFIED, CANCELLED, OUT_OF_TIME, BAD_ARGUMENT, OUT_OF_MEMORY; `mesh` is then NULL. A
- * topological mesh that is conforming and has the surface for its boundary is no error. Cost:
- * linear in the hexes made, plus the optimisation of what is bad.
+ * NOT_STAR_SHAPED, NO_SHEETS, NOT_DICED, NO_PAIRING, BAD_PAIRING, SELF_CROSSING, NO_SIDES,
+ * NOT_A_BALL, NOT_CERTIFIED, CANCELLED, OUT_OF_TIME, BAD_ARGUMENT, OUT_OF_MEMORY; `mesh` is then
+ * NULL. A topological mesh that is conforming and has the surface for its boundary is no error.
+ * Cost: linear in the hexes made, plus the optimisation of what is bad.
  */
 hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points, size_t point_count,
                                   const int32_t *quads, size_t quad_count,
