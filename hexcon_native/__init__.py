@@ -23,10 +23,10 @@ except ImportError as fault:
 ErrorCode = enum.IntEnum("ErrorCode", _core.status_codes())
 ErrorCode.__doc__ = "One member per fault of the core; include/hexcon.h says what each means."
 
-METHODS = {"auto": 0, "swept": 1, "cells": 2, "four-split": 3, "pyramid": 4, "pyramid-alt": 5, "geode": 6,
-           "geode-alt": 7, "pillowed": 8, "sheets": 9}
+METHODS = {"auto": 0, "swept": 1, "sheets": 4, "diced": 3, "cells": 2, "four-split": 5, "pyramid": 6,
+           "pyramid-alt": 7, "geode": 8, "geode-alt": 9, "pillowed": 10}
 
-TOPOLOGICAL_METHODS = frozenset(METHODS) - {"auto", "swept", "cells", "sheets"}
+TOPOLOGICAL_METHODS = frozenset(METHODS) - {"auto", "swept", "sheets", "diced", "cells"}
 """Methods whose meshes are conforming, but have Jacobians of zero or below: for no solver."""
 
 PAIRINGS = {"all": 0, "fewest": 1, "none": 2}

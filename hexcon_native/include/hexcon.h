@@ -304,6 +304,8 @@ typedef enum hexcon_method {
   HEXCON_METHOD_DICED, /**< subdivided surfaces, of any genus: every edge of a coarser one of
                             triangles and quads split in two, every face cut about a centre. 4 hexes
                             for each tetrahedron inside, 36 on each coarse quad */
+  HEXCON_METHOD_SHEETS, /**< layers of hexes that take one dual loop after the other away, until a
+                             cube is left; balls only */
   /* Those of Carbonera and Shepherd, for n quads: topological, so their meshes are conforming, but
    * some Jacobians are zero or negative, whatever the points. auto never takes them. */
   HEXCON_METHOD_FOUR_SPLIT,  /**< 28 n hexes under the surface, down to quads that are all split in
@@ -314,8 +316,6 @@ typedef enum hexcon_method {
   HEXCON_METHOD_GEODE_ALT,   /**< 112 n */
   HEXCON_METHOD_PILLOWED,    /**< 139 n: geode-alt without doublets; proper, if the surface's quads
                                   meet properly themselves */
-  HEXCON_METHOD_SHEETS,      /**< for solvers again: layers of hexes that take one dual loop after
-                                  the other away, until a cube is left; balls only */
   HEXCON_METHOD_COUNT
 } hexcon_method;
 

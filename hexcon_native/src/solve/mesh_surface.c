@@ -4,6 +4,7 @@
 
 #include "mesh_auto.h"
 #include "mesh_cells.h"
+#include "mesh_diced.h"
 #include "mesh_result.h"
 #include "mesh_sheets.h"
 #include "mesh_swept.h"
@@ -110,6 +111,8 @@ static hexcon_status construct(hexcon_context *context, const surface *s,
     return mesh_swept(context, s, mesh);
   if (options->method == HEXCON_METHOD_SHEETS)
     return mesh_sheets(context, s, mesh);
+  if (options->method == HEXCON_METHOD_DICED)
+    return mesh_diced(context, s, options, mesh);
   return mesh_cells(context, s, options, mesh);
 }
 

@@ -32,6 +32,7 @@ METHOD_WORDS = {
     "swept": QT_TRANSLATE_NOOP("HexCon", "swept"),
     "cells": QT_TRANSLATE_NOOP("HexCon", "cells"),
     "sheets": QT_TRANSLATE_NOOP("HexCon", "sheets"),
+    "diced": QT_TRANSLATE_NOOP("HexCon", "diced"),
     "four-split": QT_TRANSLATE_NOOP("HexCon", "four-split"),
     "pyramid": QT_TRANSLATE_NOOP("HexCon", "pyramid"),
     "pyramid-alt": QT_TRANSLATE_NOOP("HexCon", "pyramid, alternative"),

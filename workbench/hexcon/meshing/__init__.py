@@ -10,7 +10,7 @@ from ..quads import surface_from_solid
 from ..tetrahedra import tetrahedralise
 from ..topological import is_topological
 
-_ABOUT_THE_SURFACE = (ErrorCode.NOT_SWEPT, ErrorCode.NO_SHEETS, ErrorCode.NOT_STAR_SHAPED,
+_ABOUT_THE_SURFACE = (ErrorCode.NOT_SWEPT, ErrorCode.NO_SHEETS, ErrorCode.NOT_DICED, ErrorCode.NOT_STAR_SHAPED,
                       ErrorCode.UNFILLABLE_QUAD, ErrorCode.NOT_BIPARTITE, ErrorCode.NOT_CERTIFIED)
 
 # How fast tetrahedra inside grow, up to this many triangles and beyond: slow growth makes a fifth
@@ -25,7 +25,7 @@ def mesh_surface(points, quads, method="auto", *, timeout=120.0, progress=None, 
 
     The mesh of a topological method says so in report["topological"]; with certify=False its
     certificate and quality are None.
-    Where cells need tetrahedra inside, gmsh is asked for them (timeout: seconds for each call), as
+    Where cells or diced need tetrahedra inside, gmsh is asked for them (timeout: seconds for each call), as
     long as it is there; report["gmsh"] lists what it said where it found none.
     """
     said = []

@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+#include "mesh_diced.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "diced_filling.h"
+#include "surface/corner_angles.h"
+#include "surface/star_center.h"
+
+/** Heights of pyramids, in this order, until tetrahedra fit between them and hexes are good. */
+static const double scales[] = {1, 0.7, 0.5, 0.3};
+enum { SCALES = sizeof scales / sizeof *scales };
+
+/** A star's middle is crowded with more triangles than this: it is tried last. */
+enum { STAR_TRIANGLES = 64 };
+
+/** Nothing else is tried once the worst scaled Jacobian is this, or near what the surface allows.
+ */
+static const double good_worst = 0.2, near_the_bound = 0.7;
+/** .. of pyramids, which are worse by themselves. */
+static const double good_worst_pyramid = 0.1;
+
+static double good_enough(const diced_problem *p) {
+  double good = p->coarse.quad_count > 0 ? good_worst_pyramid : good_worst;
+  return fmin(good, near_the_bound * p->bound);
+}
+
+static bool is_good(const diced_problem *p, const diced_filling *f) {
+  return f->mesh.points && f->mesh.inverted == 0 && f->mesh.worst >= good_enough(p);
+}
+
+static bool is_better(const filled_mesh *a, const filled_mesh *b) {
+  if (!b->points || a->inverted != b->inverted)
+    return !b->points || a->inverted < b->inverted;
+  double part = fmin(a->worst, good_worst) - fmin(b->worst, good_worst);
+  return fabs(part) > 1e-3 ? part > 0 : a->hex_count < b->hex_count;
+}
+
+/* ------------------------------------------------------------------------------------- problem */
+
+static void find_bound(diced_problem *p) {
+  p->bound = 1;
+  for (int32_t h = 0; h < (int32_t)(4 * p->s->quad_count); h++)
+    p->bound = fmin(p->bound, fabs(sin(surface_corner_angle(p->s, h))));
+}
+
+/** A surface of a higher genus has no centre: its Euler characteristic tells at once. */
+static hexcon_status find_center(hexcon_context *context, diced_problem *p) {
+  double margin = -1;
+  hexcon_status status = HEXCON_OK;
+  if (p->s->point_count == p->s->quad_count + 2)
+    status = surface_star_center(context, p->s, p->center, &margin);
+  p->star_shaped = margin > 0;
+  return status;
+}
+
+static hexcon_status read_way(hexcon_context *context, int way, diced_problem *p) {
+  coarse_front_free(context, &p->front);
+  coarse_surface_free(context, &p->coarse);
+  hexcon_status status = coarse_surface_read(context, p->s, way, &p->coarse, NULL);
+  return status ? status : coarse_front_build(context, &p->coarse, p->s->point_count, &p->front);
+}
+
+/* ------------------------------------------------------------------------------------ improving */
+
+/** Untangle, then raise the worst hexes and the mean. */
+static hexcon_status improve(hexcon_context *context, const diced_problem *p, filled_mesh *f) {
+  hexcon_optimize_options untangling = {
+      .threads = p->options->threads, .target = 1e-6, .mean_passes = 1};
+  hexcon_optimize_options raising = {
+      .threads = p->options->threads, .target = 1.5 * good_worst, .max_rounds = 4};
+  hexcon_status status = filled_mesh_improve(context, p->s->point_count, &untangling, f);
+  if (!status && f->inverted == 0)
+    status = filled_mesh_improve(context, p->s->point_count, &raising, f);
+  return status;
+}
+
+static hexcon_status polish(hexcon_context *context, const diced_problem *p, filled_mesh *f) {
+  hexcon_optimize_options options = {.threads = p->options->threads,
+                                     .target = 1.5 * good_worst,
+                                     .max_rounds = 4,
+                                     .mean_passes = 2};
+  return f->inverted == 0 ? filled_mesh_improve(context, p->s->point_count, &options, f)
+                          : HEXCON_OK;
+}
+
+/* ------------------------------------------------------------------------------------- attempts */
+
+static const char *const closure_names[] = {"one tetrahedron", "star", "tetrahedra"};
+
+static void log_attempt(hexcon_mesh *mesh, const diced_filling *f) {
+  char line[256], found[128] = "no tetrahedra found", heights[48] = "";
+  if (f->mesh.points)
+    (void)snprintf(found, sizeof found,
+                   "%zu hexes, %zu not positive, scaled Jacobian min %.4f, mean %.4f",
+                   f->mesh.hex_count, f->mesh.inverted, f->mesh.worst, f->mesh.mean);
+  if (f->quad_count > 0)
+    (void)snprintf(heights, sizeof heights, ", pyramids' height %.2f", f->scale);
+  (void)snprintf(line, sizeof line, "%zu coarse triangles and %zu quads, %s%s: %s",
+                 f->triangle_count, f->quad_count, closure_names[f->closure], heights, found);
+  mesh_log(mesh, line);
+}
+
+/** Fill so, if that is possible; keep the better of that and `best`. */
+static hexcon_status try_closure(hexcon_context *context, const diced_problem *p,
+                                 diced_closure closure, double scale, hexcon_mesh *mesh,
+                                 diced_filling *best) {
+  if (is_good(p, best) || !diced_filling_is_possible(p, closure))
+    return HEXCON_OK;
+  diced_filling f;
+  hexcon_status status = diced_filling_build(context, p, closure, scale, &f);
+  if (!status && f.mesh.points)
+    status = improve(context, p, &f.mesh);
+  if (!status)
+    log_attempt(mesh, &f);
+  if (!status && f.mesh.points && is_better(&f.mesh, &best->mesh)) {
+    diced_filling worse = *best;
+    *best = f;
+    f = worse;
+  }
+  filled_mesh_free(context, &f.mesh);
+  return status;
+}
+
+/** All closures of one reading of the surface that are worth a try. */
+static hexcon_status try_reading(hexcon_context *context, const diced_problem *p, hexcon_mesh *mesh,
+                                 diced_filling *best) {
+  bool small = p->front.triangle_count <= STAR_TRIANGLES;
+  size_t heights = p->coarse.quad_count > 0 ? SCALES : 1;
+  hexcon_status status = try_closure(context, p, DICED_ONE, 1, mesh, best);
+  for (size_t k = 0; !status && k < heights; k++) {
+    if (small)
+      status = try_closure(context, p, DICED_STAR, scales[k], mesh, best);
+    if (!status)
+      status = try_closure(context, p, DICED_TETRAHEDRA, scales[k], mesh, best);
+    bool wanting = !best->mesh.points || best->mesh.inverted > 0;
+    if (!status && !small && wanting)
+      status = try_closure(context, p, DICED_STAR, scales[k], mesh, best);
+  }
+  return status;
+}
+
+static void hand_over(const diced_problem *p, const diced_filling *f, hexcon_mesh *mesh) {
+  mesh->points = f->mesh.points;
+  mesh->hexes = f->mesh.hexes;
+  mesh->quality = f->mesh.quality;
+  mesh->point_count = f->mesh.point_count;
+  mesh->hex_count = f->mesh.hex_count;
+  mesh->order = 1;
+  mesh->method = "diced";
+  mesh->bound = p->bound;
+  mesh_note(mesh, "coarse triangles", (double)f->triangle_count);
+  mesh_note(mesh, "coarse quads", (double)f->quad_count);
+  mesh_note(mesh, "tetrahedra", (double)f->tetrahedron_count);
+  mesh_note(mesh, "pyramids", (double)f->quad_count);
+  mesh_note(mesh, "hexes per quad", (double)f->mesh.hex_count / (double)p->s->quad_count);
+  mesh_note(mesh, "optimisation rounds", (double)f->mesh.rounds);
+  mesh_note(mesh, "surface bound", p->bound);
+}
+
+static hexcon_status check_found(hexcon_context *context, const diced_problem *p,
+                                 const diced_filling *best) {
+  if (best->mesh.points)
+    return HEXCON_OK;
+  return context_fail(context, HEXCON_NOT_STAR_SHAPED,
+                      "the surface is a subdivision, but its inside could not be closed: %s, and "
+                      "no point inside sees the whole surface; %s",
+                      p->options->tetrahedralise ? "no tetrahedra were found for it"
+                                                 : "no mesher of tetrahedra was given",
+                      p->options->tetrahedralise ? "a finer surface may help" : "give one");
+}
+
+/** Left to choose, another method may do better than a mesh that is not positive. */
+static hexcon_status check_positive(hexcon_context *context, const diced_problem *p,
+                                    const diced_filling *best) {
+  if (best->mesh.inverted == 0 || p->options->method != HEXCON_METHOD_AUTO)
+    return HEXCON_OK;
+  return context_fail(context, HEXCON_NOT_CERTIFIED,
+                      "%zu hexes of the diced mesh are not proved positive", best->mesh.inverted);
+}
+
+/** The best of all readings. */
+static hexcon_status fill(hexcon_context *context, diced_problem *p, const int *ways,
+                          size_t way_count, hexcon_mesh *mesh, diced_filling *best) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t w = 0; !status && w < way_count && (w == 0 || !is_good(p, best)); w++) {
+    status = read_way(context, ways[w], p);
+    if (!status)
+      status = try_reading(context, p, mesh, best);
+  }
+  if (!status)
+    status = check_found(context, p, best);
+  if (!status)
+    status = check_positive(context, p, best);
+  return status ? status : polish(context, p, &best->mesh);
+}
+
+hexcon_status mesh_diced(hexcon_context *context, const surface *s,
+                         const hexcon_mesh_options *options, hexcon_mesh *mesh) {
+  diced_problem p = {.s = s, .options = options};
+  diced_filling best = {.closure = DICED_ONE};
+  int ways[COARSE_WAYS];
+  size_t way_count = 0;
+  double start = mesh_clock();
+  hexcon_status status = coarse_surface_find_ways(context, s, ways, &way_count);
+  if (!status)
+    status = surface_check_fillable(context, s, false);
+  if (!status)
+    status = find_center(context, &p);
+  find_bound(&p);
+  if (!status)
+    status = fill(context, &p, ways, way_count, mesh, &best);
+  mesh_note_seconds(mesh, "diced", start);
+  if (status)
+    filled_mesh_free(context, &best.mesh);
+  else
+    hand_over(&p, &best, mesh);
+  coarse_front_free(context, &p.front);
+  coarse_surface_free(context, &p.coarse);
+  return status;
+}

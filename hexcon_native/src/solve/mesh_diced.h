@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/** Method `diced`: surfaces that are subdivisions of coarser ones of triangles and quads. */
+#ifndef HEXCON_SOLVE_MESH_DICED_H
+#define HEXCON_SOLVE_MESH_DICED_H
+
+#include "mesh_result.h"
+#include "surface/half_edges.h"
+
+/**
+ * Fill a checked surface of one component, of any genus. Reads it in the ways that there are, the
+ * best first; closes each by one tetrahedron, a star, or the caller's tetrahedra, with pyramids of
+ * several heights on coarse quads; logs what was tried and keeps the best.
+ * @param mesh  its points, hexes, quality and method are filled; the caller frees
+ * Errors: NOT_DICED, UNFILLABLE_QUAD, NOT_STAR_SHAPED (nor were tetrahedra found), NOT_CERTIFIED
+ * (method auto only: hexes are left that are not positive), CANCELLED, OUT_OF_MEMORY, TOO_LARGE.
+ * Cost: linear in the hexes, plus their improvement.
+ */
+hexcon_status mesh_diced(hexcon_context *context, const surface *s,
+                         const hexcon_mesh_options *options, hexcon_mesh *mesh);
+
+#endif
