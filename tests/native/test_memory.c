@@ -11,7 +11,7 @@
 
 /** Surfaces and meshes the calls work on. */
 typedef struct material {
-  test_mesh swept, twisted, not_swept, torus, scrambled, cube;
+  test_mesh swept, twisted, diced, not_swept, torus, scrambled, cube;
   uint8_t *fixed, *swept_fixed;
   double *positions, *goal; /* goal: of swept, to be gone to by its boundary */
 } material;
@@ -184,6 +184,20 @@ static hexcon_status call_mesh_not_swept(hexcon_context *context, material *m) {
   return status == HEXCON_NOT_SWEPT ? HEXCON_OK : status;
 }
 
+/** Eight triangles whose tetrahedra meet in one point; test_diced has larger ones. */
+static hexcon_status call_mesh_diced(hexcon_context *context, material *m) {
+  hexcon_mesh *mesh = (hexcon_mesh *)context;
+  const hexcon_mesh_options options = {.method = HEXCON_METHOD_DICED, .threads = 1};
+  hexcon_status status = hexcon_mesh_surface(context, m->diced.points, m->diced.surface_point_count,
+                                             m->diced.quads, m->diced.quad_count, &options, &mesh);
+  if (status)
+    assert_null(mesh);
+  else
+    assert_true(hexcon_mesh_certificate(mesh)->certified);
+  hexcon_mesh_free(context, mesh);
+  return status;
+}
+
 static hexcon_status mesh_topological(hexcon_context *context, const test_mesh *given,
                                       const hexcon_mesh_options *options) {
   hexcon_mesh *mesh = (hexcon_mesh *)context;
@@ -240,6 +254,14 @@ static hexcon_status call_mesh_no_sheets(hexcon_context *context, material *m) {
   return status == HEXCON_NO_SHEETS ? HEXCON_OK : status;
 }
 
+static hexcon_status call_mesh_not_diced(hexcon_context *context, material *m) {
+  hexcon_mesh *mesh = NULL;
+  const hexcon_mesh_options options = {.method = HEXCON_METHOD_DICED};
+  hexcon_status status = hexcon_mesh_surface(context, m->swept.points, m->swept.surface_point_count,
+                                             m->swept.quads, m->swept.quad_count, &options, &mesh);
+  return status == HEXCON_NOT_DICED ? HEXCON_OK : status;
+}
+
 static const struct {
   const char *name;
   public_call call;
@@ -267,7 +289,9 @@ static const struct {
              {"mesh geode-alt", call_mesh_geode_alt},
              {"mesh no sides", call_mesh_no_sides},
              {"mesh sheets", call_mesh_sheets},
-             {"mesh no sheets", call_mesh_no_sheets}};
+             {"mesh no sheets", call_mesh_no_sheets},
+             {"mesh diced", call_mesh_diced},
+             {"refuse not diced", call_mesh_not_diced}};
 
 enum { CALL_COUNT = sizeof calls / sizeof *calls };
 
@@ -307,6 +331,7 @@ static int set_up(void **state) {
   assert_true(m.goal && m.swept_fixed);
   memset(m.swept_fixed, 1, m.swept.surface_point_count);
   bend(&m.swept, m.goal);
+  m.diced = make_box(2, 2, 2);
   m.not_swept = make_schneiders_pyramid();
   m.torus = make_torus(3, 4);
   m.cube = make_box(1, 1, 1);
@@ -325,6 +350,7 @@ static int tear_down(void **state) {
   material *m = *state;
   test_mesh_free(&m->swept);
   test_mesh_free(&m->twisted);
+  test_mesh_free(&m->diced);
   test_mesh_free(&m->not_swept);
   test_mesh_free(&m->torus);
   test_mesh_free(&m->cube);
