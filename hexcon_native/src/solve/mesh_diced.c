@@ -64,12 +64,17 @@ static hexcon_status read_way(hexcon_context *context, int way, diced_problem *p
 
 /* ------------------------------------------------------------------------------------ improving */
 
-/** Untangle, then raise the worst hexes and the mean. */
+/** Raise the worst hexes to where this surface's are worth no more time. */
+static double wanted_worst(const diced_problem *p) {
+  return 1.5 * (p->coarse.quad_count > 0 ? good_worst_pyramid : good_worst);
+}
+
+/** Untangle and raise the mean, then the worst hexes: enough to see what a filling is worth. */
 static hexcon_status improve(hexcon_context *context, const diced_problem *p, filled_mesh *f) {
   hexcon_optimize_options untangling = {
       .threads = p->options->threads, .target = 1e-6, .mean_passes = 1};
   hexcon_optimize_options raising = {
-      .threads = p->options->threads, .target = 1.5 * good_worst, .max_rounds = 4};
+      .threads = p->options->threads, .target = wanted_worst(p), .max_rounds = 3};
   hexcon_status status = filled_mesh_improve(context, p->s->point_count, &untangling, f);
   if (!status && f->inverted == 0)
     status = filled_mesh_improve(context, p->s->point_count, &raising, f);
@@ -77,10 +82,8 @@ static hexcon_status improve(hexcon_context *context, const diced_problem *p, fi
 }
 
 static hexcon_status polish(hexcon_context *context, const diced_problem *p, filled_mesh *f) {
-  hexcon_optimize_options options = {.threads = p->options->threads,
-                                     .target = 1.5 * good_worst,
-                                     .max_rounds = 4,
-                                     .mean_passes = 2};
+  hexcon_optimize_options options = {
+      .threads = p->options->threads, .target = wanted_worst(p), .max_rounds = 4, .mean_passes = 2};
   return f->inverted == 0 ? filled_mesh_improve(context, p->s->point_count, &options, f)
                           : HEXCON_OK;
 }
