@@ -363,8 +363,12 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
                        hexes; "sheets", for balls: layers of hexes, each of which takes a dual loop
                        away, until a cube is left: boxes, convex polyhedra with three edges a corner
                        whose faces are cut about their middles, and mixtures that are no sweep;
-                       "auto": swept, sheets, cells, until one is certified and good, or else the
-                       best of them: report["log"] tells of each.
+                       "diced": a surface that is a coarser one of triangles and quads, with every
+                       edge split in two and every face cut about a centre, of a body of any shape
+                       and genus: 4 hexes for each tetrahedron inside, and 26 on each coarse quad, or
+                       36 where there are coarse triangles as well;
+                       "auto": swept, sheets, diced, cells, until one is certified and good, or else
+                       the best of them: report["log"] tells of each.
                        The TOPOLOGICAL_METHODS are those of Carbonera and Shepherd (2006), for n
                        quads of genus 0: "pyramid" 76 n hexes, "pyramid-alt" 58 n, "geode" 130 n,
                        "geode-alt" 112 n, "pillowed" 139 n without doublets; and of any genus "four-split" 28 n, layers under the
@@ -374,7 +378,7 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
                        cell; there may be one more, where it makes the cells better. With
                        layers, auto takes cells at once
     threads            0: one per processor; the result does not depend on it
-    tetrahedralise     cells: None, and all meets in one point; or a callable
+    tetrahedralise     cells, diced: None, and all meets in one point; or a callable
                        (points (P, 3), triangles (T, 3)) that fills a closed, outward triangulation:
                        it returns new points (K, 3) and tetrahedra (M, 4) of positive volume, ids
                        of given points, then of new ones, whose boundary is exactly the triangles;
@@ -391,9 +395,10 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
     certify            False: prove nothing; the mesh has no certificate, and a topological one no
                        quality
     Returns a Mesh. Raises HexconError: those of check_surface, SEVERAL_COMPONENTS, ODD, NOT_SWEPT
-    (elements: the quads where the best attempt failed), UNFILLABLE_QUAD (elements: quads on which
-    no positive hex can stand), NOT_STAR_SHAPED, NO_SHEETS (elements: the surface's quads in the core
-    that no loop can be taken from; the message says how large it is), NOT_BIPARTITE, NO_PAIRING, BAD_PAIRING (elements:
+    (elements: the quads where the best attempt failed), NO_SHEETS (elements: the surface's quads in
+    the core that no loop can be taken from; the message says how large it is), NOT_DICED (elements:
+    quads that do not fit the subdivision that fits best), UNFILLABLE_QUAD (elements: quads on which
+    no positive hex can stand), NOT_STAR_SHAPED, NOT_BIPARTITE, NO_PAIRING, BAD_PAIRING (elements:
     quads of pairs that are none), SELF_CROSSING (elements: quads that a loop passes twice), NO_SIDES
     (elements: points of a closed path that crosses a family of loops an odd number of times; never
     on a sphere), NOT_A_BALL, NOT_CERTIFIED (elements: hexes), OUT_OF_TIME (before there

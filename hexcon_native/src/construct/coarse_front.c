@@ -25,7 +25,7 @@ static pyramid_rows find_pyramid_rows(const hex_template *t) {
 }
 
 void coarse_front_free(hexcon_context *context, coarse_front *front) {
-  context_free(context, front->pyramid_points);
+  context_free(context, front->block_points);
   context_free(context, front->points);
   context_free(context, front->triangles);
   context_free(context, front->means);
@@ -38,34 +38,40 @@ static size_t own_points(const hex_template *pyramid) {
   return pyramid->point_count - 9;
 }
 
+hexcon_status coarse_front_allocate(hexcon_context *context, coarse_front *front) {
+  size_t block_points = front->block_count * front->block->point_count;
+  front->block_points = context_allocate(context, block_points, sizeof *front->block_points);
+  front->points = context_allocate(context, front->point_count, sizeof *front->points);
+  front->triangles = context_allocate(context, 3 * front->triangle_count, sizeof *front->triangles);
+  front->means = context_allocate(context, front->triangle_count, sizeof *front->means);
+  front->side_middles =
+      context_allocate(context, 3 * front->triangle_count, sizeof *front->side_middles);
+  return front->block_points && front->points && front->triangles && front->means &&
+                 front->side_middles
+             ? HEXCON_OK
+             : HEXCON_OUT_OF_MEMORY;
+}
+
 static hexcon_status allocate(hexcon_context *context, const coarse_surface *c,
                               size_t surface_point_count, coarse_front *out) {
-  size_t own = own_points(out->pyramid), quads = c->quad_count;
+  size_t own = own_points(out->block), quads = c->quad_count;
   if (quads > (CONTEXT_MAX_COUNT - surface_point_count) / (2 * own))
     return context_fail(context, HEXCON_TOO_LARGE,
                         "pyramids on %zu coarse quads have more points than 32-bit ids hold",
                         quads);
-  out->pyramid_count = quads;
+  out->block_count = quads;
   out->mesh_point_count = surface_point_count + own * quads;
   out->point_count = c->point_count + quads;
   out->triangle_count = c->triangle_count + 4 * quads;
-  out->pyramid_points =
-      context_allocate(context, quads, out->pyramid->point_count * sizeof *out->pyramid_points);
-  out->points = context_allocate(context, out->point_count, sizeof *out->points);
-  out->triangles = context_allocate(context, 3 * out->triangle_count, sizeof *out->triangles);
-  out->means = context_allocate(context, out->triangle_count, sizeof *out->means);
-  out->side_middles = context_allocate(context, 3 * out->triangle_count, sizeof *out->side_middles);
-  return out->pyramid_points && out->points && out->triangles && out->means && out->side_middles
-             ? HEXCON_OK
-             : HEXCON_OUT_OF_MEMORY;
+  return coarse_front_allocate(context, out);
 }
 
 /** Side i of a base runs against the quad's side 3 - i: it is seen from inside. */
 static void number_pyramid(const coarse_surface *c, size_t quad, const pyramid_rows *rows,
                            size_t surface_point_count, const coarse_front *out) {
-  const hex_template *t = out->pyramid;
+  const hex_template *t = out->block;
   size_t face = c->triangle_count + quad;
-  int32_t *ids = out->pyramid_points + quad * t->point_count;
+  int32_t *ids = out->block_points + quad * t->point_count;
   memset(ids, -1, t->point_count * sizeof *ids);
   for (size_t i = 0; i < 4; i++) {
     ids[rows->corners[i]] = c->points[c->faces[4 * face + ((4 - i) & 3)]];
@@ -80,7 +86,7 @@ static void number_pyramid(const coarse_surface *c, size_t quad, const pyramid_r
 
 static void write_sides(const coarse_surface *c, size_t quad, const pyramid_rows *rows,
                         const coarse_front *out) {
-  const int32_t *ids = out->pyramid_points + quad * out->pyramid->point_count;
+  const int32_t *ids = out->block_points + quad * out->block->point_count;
   const int32_t *corners = c->faces + 4 * (c->triangle_count + quad);
   size_t apex = c->point_count + quad;
   out->points[apex] = ids[rows->apex];
@@ -95,11 +101,11 @@ static void write_sides(const coarse_surface *c, size_t quad, const pyramid_rows
   }
 }
 
-hexcon_status coarse_front_build(hexcon_context *context, const coarse_surface *c,
-                                 size_t surface_point_count, coarse_front *out) {
+hexcon_status coarse_front_of_pyramids(hexcon_context *context, const coarse_surface *c,
+                                       size_t surface_point_count, coarse_front *out) {
   memset(out, 0, sizeof *out);
-  out->pyramid = &template_schneiders_pyramid_36;
-  hexcon_status status = template_check(context, out->pyramid);
+  out->block = &template_schneiders_pyramid_36;
+  hexcon_status status = template_check(context, out->block);
   if (!status)
     status = allocate(context, c, surface_point_count, out);
   if (status)
@@ -110,7 +116,7 @@ hexcon_status coarse_front_build(hexcon_context *context, const coarse_surface *
     memcpy(out->side_middles + 3 * t, c->middles + 4 * t, 3 * sizeof *out->side_middles);
     out->means[t] = c->centers[t];
   }
-  pyramid_rows rows = find_pyramid_rows(out->pyramid);
+  pyramid_rows rows = find_pyramid_rows(out->block);
   for (size_t q = 0; q < c->quad_count; q++) {
     number_pyramid(c, q, &rows, surface_point_count, out);
     write_sides(c, q, &rows, out);

@@ -160,24 +160,29 @@ static hexcon_status write_faces(const reading *r, coarse_surface *out) {
   out->centers = context_allocate(r->context, faces, sizeof *out->centers);
   if (!out->faces || !out->middles || !out->centers)
     return HEXCON_OUT_OF_MEMORY;
-  size_t next[2] = {0, out->triangle_count};
+  size_t next_triangle = 0, next_quad = out->triangle_count;
   for (int32_t q = 0; q < count; q++) {
     size_t size = face_size(r, q);
-    if (size)
-      write_face(r, q, size, next[size - 3]++, out);
+    if (size == 3)
+      write_face(r, q, size, next_triangle++, out);
+    if (size == 4)
+      write_face(r, q, size, next_quad++, out);
   }
   return HEXCON_OK;
 }
 
-/** Tetrahedra know an edge by its ends: no two may have the same. */
+/** Tetrahedra know an edge by its ends: no two may have the same. Nor may a face have a corner
+ * twice. */
 static hexcon_status check_edges(reading *r) {
   const surface *s = r->s;
   tuple_table table;
   hexcon_status status = tuple_table_new(r->context, 2 * s->quad_count, &table);
   for (int32_t q = 0; !status && q < (int32_t)s->quad_count; q++) {
-    int32_t next = half_edge_quad(next_around(r, from_center(r, q)));
-    int32_t middle = point_of(r, q, 1);
-    if (tuple_table_number(&table, point_of(r, q, 0), point_of(r, next, 0), -1, middle) != middle)
+    int32_t after = next_around(r, from_center(r, q)), middle = point_of(r, q, 1);
+    int32_t corners[3] = {point_of(r, q, 0), point_of(r, half_edge_quad(after), 0),
+                          point_of(r, half_edge_quad(next_around(r, after)), 0)};
+    if (tuple_table_number(&table, corners[0], corners[1], -1, middle) != middle ||
+        corners[0] == corners[2])
       blame(r, q);
   }
   tuple_table_free(r->context, &table);
@@ -293,7 +298,7 @@ static void insert(way_rank *ranks, size_t count, way_rank fresh) {
 
 hexcon_status coarse_surface_find_ways(hexcon_context *context, const surface *s,
                                        int ways[COARSE_WAYS], size_t *count) {
-  way_rank ranks[COARSE_WAYS];
+  way_rank ranks[COARSE_WAYS] = {{0}};
   size_t fewest = SIZE_MAX;
   int nearest = 0;
   *count = 0;

@@ -111,7 +111,8 @@ static double local_depth(const offsetting *o, size_t v) {
     size += vector_length(edge) / (o->starts[v + 1] - o->starts[v]);
     room = fmin(room, -vector_dot(o->normals + 3 * (size_t)h, inward));
   }
-  return fmin(o->options->thickness * size, o->options->depth * room);
+  double wanted = o->options->thickness * size;
+  return o->options->no_center ? wanted : fmin(wanted, o->options->depth * room);
 }
 
 /** Depths that vary smoothly, none larger than before. */
@@ -136,7 +137,7 @@ static void place_offset(offsetting *o) {
     double direction[3] = {0}, *place = o->offset + 3 * v;
     double sinking = deepest_direction(o, v, direction);
     memcpy(place, o->s->points + 3 * v, 3 * sizeof *place);
-    o->drawn[v] = sinking > 0 ? 0 : 1;
+    o->drawn[v] = sinking > 0 || o->options->no_center ? 0 : 1;
     if (sinking > 0)
       vector_add_scaled(place, o->depth[v] * fmin(1 / sinking, longest_step), direction);
   }
@@ -240,7 +241,7 @@ hexcon_status inner_surface_place(hexcon_context *context, const surface *s,
     collect_corners(&o);
     place_offset(&o);
     blend(&o, inner);
-    size_t folded = mark_folded(&o, inner);
+    size_t folded = options->no_center ? 0 : mark_folded(&o, inner);
     for (int round = 0; folded > 0 && round < most_rounds; round++) {
       draw_folded(&o);
       blend(&o, inner);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
-/** A copy of a star-shaped surface inside it: a safe inward offset. */
+/** A copy of a surface inside it: an inward offset, safe where the surface is star-shaped. */
 #ifndef HEXCON_SHAPE_INNER_SURFACE_H
 #define HEXCON_SHAPE_INNER_SURFACE_H
 
@@ -9,6 +9,8 @@ typedef struct inner_surface_options {
   double center[3]; /**< sees the corner triangles of the surface, but for a few folded ones */
   double thickness; /**< wanted depth below the surface, in mean edge lengths there */
   double depth;     /**< at most this part of the way from a quad's plane to the centre, < 1 */
+  bool no_center;   /**< no point sees the surface: thickness alone counts, and nothing keeps the
+                         copy from folding, or from meeting another part of itself */
 } inner_surface_options;
 
 /**

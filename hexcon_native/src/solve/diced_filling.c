@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
 #include "diced_filling.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "base/vector.h"
@@ -8,68 +9,99 @@
 #include "construct/dice.h"
 #include "shape/apex_placement.h"
 #include "shape/cell_placement.h"
+#include "shape/inner_surface.h"
 #include "shape/nested_placement.h"
 
 /* ----------------------------------------------------------------------------------- placement */
 
-static void find_base_rows(const hex_template *t, int corners[4], int edges[4]) {
-  for (size_t i = 0; i < 4; i++) {
-    const char corner[3] = {'B', (char)('0' + i), '\0'}, edge[3] = {'E', (char)('0' + i), '\0'};
-    corners[i] = template_row(t, corner);
-    edges[i] = template_row(t, edge);
+/** Rows of points called by letters and 0 .. 3. */
+static void find_rows(const hex_template *t, const char *letters, int rows[4]) {
+  char label[8];
+  for (int i = 0; i < 4; i++) {
+    (void)snprintf(label, sizeof label, "%s%d", letters, i);
+    rows[i] = template_row(t, label);
   }
 }
 
-/** Where the pyramid's points lie between its base, which is split in four, and its apex. */
-static split_place *make_places(hexcon_context *context, const hex_template *t) {
-  int corners[4], edges[4], center = template_row(t, "Bc");
-  find_base_rows(t, corners, edges);
+/** A point of the pyramid, whose base is -1 .. 1 and whose apex is 1 high: on the ray to it. */
+static split_place pyramid_place(const hex_template *t, const double at[3]) {
+  int corners[4], edges[4];
+  find_rows(t, "B", corners);
+  find_rows(t, "E", edges);
+  double spread = at[2] < 1 ? 0.5 / (1 - at[2]) : 0.5;
+  const double local[3] = {0.5 + spread * at[0], 0.5 + spread * at[1], at[2]};
+  return split_place_at(local, corners, edges, template_row(t, "Bc"), 1);
+}
+
+/** A point of the Geode, which is the unit cube: between its base and its two triangles. */
+static split_place geode_place(const hex_template *t, const double at[3]) {
+  int corners[4], edges[4], inner[4];
+  find_rows(t, "B", corners);
+  find_rows(t, "EB", edges);
+  find_rows(t, "T", inner);
+  split_place place = split_place_at(at, corners, edges, template_row(t, "Bc"), 0);
+  memcpy(place.rows + 4, inner, sizeof inner);
+  return place;
+}
+
+/** All points of blocks but those of the surface and, of Geodes, the inner corners. */
+static hexcon_status place_blocks(hexcon_context *context, const coarse_front *front, bool has_apex,
+                                  double *points) {
+  const hex_template *t = front->block;
   split_place *places = context_allocate(context, t->point_count, sizeof *places);
-  for (size_t row = 0; places && row < t->point_count; row++) {
-    const double *at = t->points[row].place; /* the base is -1 .. 1, the apex 1 high */
-    double spread = at[2] < 1 ? 0.5 / (1 - at[2]) : 0.5;
-    const double local[3] = {0.5 + spread * at[0], 0.5 + spread * at[1], at[2]};
-    places[row] = split_place_at(local, corners, edges, center, 1);
-  }
-  return places;
-}
-
-static hexcon_status place_pyramids(hexcon_context *context, const coarse_front *front,
-                                    double *points) {
-  const hex_template *t = front->pyramid;
-  split_place *places = make_places(context, t);
   if (!places)
     return HEXCON_OUT_OF_MEMORY;
-  for (size_t q = 0; q < front->pyramid_count; q++) {
-    const int32_t *ids = front->pyramid_points + q * t->point_count;
-    size_t apex = (size_t)ids[template_row(t, "A")];
-    double tip[3];
-    memcpy(tip, points + 3 * apex, sizeof tip);
+  for (size_t row = 0; row < t->point_count; row++)
+    places[row] =
+        has_apex ? pyramid_place(t, t->points[row].place) : geode_place(t, t->points[row].place);
+  for (size_t q = 0; q < front->block_count; q++) {
+    const int32_t *ids = front->block_points + q * t->point_count;
+    double tip[3] = {0};
+    if (has_apex)
+      memcpy(tip, points + 3 * (size_t)ids[template_row(t, "A")], sizeof tip);
     for (size_t row = 0; row < t->point_count; row++)
-      if (t->points[row].place[2] > 0)
+      if (t->points[row].place[2] > 0 && t->points[row].label[0] != 'T')
         place_over_split_quad(&places[row], ids, ids[row], tip, points);
   }
   context_free(context, places);
   return HEXCON_OK;
 }
 
-/** The surface's points and the pyramids'. */
-static hexcon_status place(hexcon_context *context, const diced_problem *p, double scale,
-                           double *points) {
+static hexcon_status place_apices_of(hexcon_context *context, const diced_problem *p, double scale,
+                                     double *points) {
   const coarse_surface *c = &p->coarse;
   coarse_faces faces = {c->triangle_count, c->quad_count, c->points,
                         c->faces,          c->middles,    c->centers};
+  return place_apices(context, &faces, scale, p->fronts[DICED_PYRAMIDS].points + c->point_count,
+                      p->s->point_count, points);
+}
+
+/** The inner copies of the coarse corners; those have consecutive ids. */
+static hexcon_status place_inner_corners(hexcon_context *context, const diced_problem *p,
+                                         double scale, double *points) {
+  inner_surface_options options = {.thickness = scale, .depth = 0.6, .no_center = !p->star_shaped};
+  memcpy(options.center, p->center, sizeof options.center);
+  return inner_surface_place(context, &p->quads, &options,
+                             points + 3 * (size_t)p->fronts[DICED_GEODES].points[0]);
+}
+
+/** The surface's points and the blocks'. */
+static hexcon_status place(hexcon_context *context, const diced_problem *p, diced_block block,
+                           double scale, double *points) {
   memcpy(points, p->s->points, 3 * p->s->point_count * sizeof *points);
-  if (c->quad_count == 0)
+  if (p->coarse.quad_count == 0)
     return HEXCON_OK;
-  hexcon_status status = place_apices(context, &faces, scale, p->front.points + c->point_count,
-                                      p->s->point_count, points);
-  return status ? status : place_pyramids(context, &p->front, points);
+  hexcon_status status = block == DICED_PYRAMIDS ? place_apices_of(context, p, scale, points)
+                                                 : place_inner_corners(context, p, scale, points);
+  return status ? status
+                : place_blocks(context, &p->fronts[block], block == DICED_PYRAMIDS, points);
 }
 
 /* ------------------------------------------------------------------------------------- closing */
 
-bool diced_filling_is_possible(const diced_problem *p, diced_closure kind) {
+bool diced_filling_is_possible(const diced_problem *p, diced_block block, diced_closure kind) {
+  if (!p->fronts[block].points)
+    return false;
   switch (kind) {
   case DICED_ONE:
     return p->coarse.quad_count == 0 && p->coarse.triangle_count == 4 && p->coarse.point_count == 4;
@@ -107,8 +139,8 @@ static bool sees_from_inside(const double center[3], const double *inner,
 }
 
 static hexcon_status close_front(hexcon_context *context, const diced_problem *p,
-                                 diced_closure kind, const double *inner, closure *c, bool *found) {
-  const coarse_front *front = &p->front;
+                                 const coarse_front *front, diced_closure kind, const double *inner,
+                                 closure *c, bool *found) {
   *found = true;
   switch (kind) {
   case DICED_ONE:
@@ -151,52 +183,55 @@ static hexcon_status dice_closure(hexcon_context *context, const coarse_front *f
   return status;
 }
 
-static void write_pyramids(const coarse_front *front, int32_t *hexes) {
-  const hex_template *t = front->pyramid;
-  for (size_t q = 0; q < front->pyramid_count; q++)
+static void write_blocks(const coarse_front *front, int32_t *hexes) {
+  const hex_template *t = front->block;
+  for (size_t q = 0; q < front->block_count; q++)
     for (size_t h = 0; h < t->hex_count; h++)
       for (size_t i = 0; i < 8; i++)
-        *hexes++ = front->pyramid_points[q * t->point_count + (size_t)t->hexes[h][i]];
+        *hexes++ = front->block_points[q * t->point_count + (size_t)t->hexes[h][i]];
 }
 
 static hexcon_status assemble(hexcon_context *context, const coarse_front *front,
                               const double *placed, const closure *c, const diced_complex *diced,
                               filled_mesh *out) {
   size_t first_mean = front->mesh_point_count + c->point_count;
-  size_t pyramid_hexes = front->pyramid_count * front->pyramid->hex_count;
+  size_t block_hexes = front->block_count * front->block->hex_count;
   hexcon_status status = filled_mesh_new(context, first_mean + diced->point_count,
-                                         pyramid_hexes + diced->hex_count, out);
+                                         block_hexes + diced->hex_count, out);
   if (status)
     return status;
   memcpy(out->points, placed, 3 * front->mesh_point_count * sizeof *placed);
   memcpy(out->points + 3 * front->mesh_point_count, c->points, 3 * c->point_count * sizeof *placed);
   place_means(diced->means, diced->point_count, first_mean, out->points);
-  write_pyramids(front, out->hexes);
-  memcpy(out->hexes + 8 * pyramid_hexes, diced->hexes, 8 * diced->hex_count * sizeof *out->hexes);
+  write_blocks(front, out->hexes);
+  memcpy(out->hexes + 8 * block_hexes, diced->hexes, 8 * diced->hex_count * sizeof *out->hexes);
   return HEXCON_OK;
 }
 
 /** Close what is left inside, dice it, and put all together. */
 static hexcon_status fill_front(hexcon_context *context, const diced_problem *p,
                                 const double *placed, const double *inner, diced_filling *f) {
+  const coarse_front *front = &p->fronts[f->block];
   closure c = {0};
   diced_complex diced = {0};
   bool found = false;
-  hexcon_status status = close_front(context, p, f->closure, inner, &c, &found);
+  hexcon_status status = close_front(context, p, front, f->closure, inner, &c, &found);
   f->tetrahedron_count = c.tetrahedron_count;
   if (!status && found)
-    status = dice_closure(context, &p->front, &c, &diced);
+    status = dice_closure(context, front, &c, &diced);
   if (!status && found)
-    status = assemble(context, &p->front, placed, &c, &diced, &f->mesh);
+    status = assemble(context, front, placed, &c, &diced, &f->mesh);
   closure_free(context, &c);
   dice_free(context, &diced);
   return status;
 }
 
 hexcon_status diced_filling_build(hexcon_context *context, const diced_problem *p,
-                                  diced_closure kind, double scale, diced_filling *f) {
-  const coarse_front *front = &p->front;
-  *f = (diced_filling){.closure = kind,
+                                  diced_block block, diced_closure kind, double scale,
+                                  diced_filling *f) {
+  const coarse_front *front = &p->fronts[block];
+  *f = (diced_filling){.block = block,
+                       .closure = kind,
                        .scale = scale,
                        .triangle_count = p->coarse.triangle_count,
                        .quad_count = p->coarse.quad_count};
@@ -204,7 +239,7 @@ hexcon_status diced_filling_build(hexcon_context *context, const diced_problem *
   double *inner = context_allocate(context, front->point_count, 3 * sizeof *inner);
   hexcon_status status = placed && inner ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
   if (!status)
-    status = place(context, p, scale, placed);
+    status = place(context, p, block, scale, placed);
   for (size_t i = 0; !status && i < front->point_count; i++)
     memcpy(inner + 3 * i, placed + 3 * (size_t)front->points[i], 3 * sizeof *inner);
   if (!status)

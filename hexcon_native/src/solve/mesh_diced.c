@@ -3,14 +3,23 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "diced_filling.h"
 #include "surface/corner_angles.h"
 #include "surface/star_center.h"
 
-/** Heights of pyramids, in this order, until tetrahedra fit between them and hexes are good. */
-static const double scales[] = {1, 0.7, 0.5, 0.3};
-enum { SCALES = sizeof scales / sizeof *scales };
+/** What stands on coarse quads and how high, in this order, until tetrahedra fit between and hexes
+ * are good; the last ones only while some are not even positive. Geodes take fewer hexes than
+ * pyramids, and better ones, but need coarse quads everywhere. */
+static const struct {
+  double scale; /* Geodes: mean lengths of the edges there */
+  diced_block block;
+  bool for_quality;
+} blocks[] = {{0.5, DICED_GEODES, true},   {0.35, DICED_GEODES, true},   {1, DICED_PYRAMIDS, true},
+              {0.7, DICED_PYRAMIDS, true}, {0.5, DICED_PYRAMIDS, false}, {0.2, DICED_GEODES, false},
+              {0.3, DICED_PYRAMIDS, false}};
+enum { BLOCKS = sizeof blocks / sizeof *blocks };
 
 /** A star's middle is crowded with more triangles than this: it is tried last. */
 enum { STAR_TRIANGLES = 64 };
@@ -55,11 +64,39 @@ static hexcon_status find_center(hexcon_context *context, diced_problem *p) {
   return status;
 }
 
-static hexcon_status read_way(hexcon_context *context, int way, diced_problem *p) {
-  coarse_front_free(context, &p->front);
+static void forget_reading(hexcon_context *context, diced_problem *p) {
+  for (size_t k = 0; k < DICED_BLOCKS; k++)
+    coarse_front_free(context, &p->fronts[k]);
   coarse_surface_free(context, &p->coarse);
+  surface_free(context, &p->quads);
+  context_free(context, p->corners);
+  p->corners = NULL;
+}
+
+/** The coarse surface, and Geodes on it, if it has no triangles. */
+static hexcon_status prepare_geodes(hexcon_context *context, diced_problem *p) {
+  const coarse_surface *c = &p->coarse;
+  if (c->triangle_count > 0)
+    return HEXCON_OK;
+  p->corners = context_allocate(context, c->point_count, 3 * sizeof *p->corners);
+  if (!p->corners)
+    return HEXCON_OUT_OF_MEMORY;
+  for (size_t i = 0; i < c->point_count; i++)
+    memcpy(p->corners + 3 * i, p->s->points + 3 * (size_t)c->points[i], 3 * sizeof *p->corners);
+  hexcon_status status =
+      surface_build(context, p->corners, c->point_count, c->faces, c->quad_count, &p->quads);
+  return status ? status
+                : coarse_front_of_geodes(context, c, &p->quads, p->s->point_count,
+                                         &p->fronts[DICED_GEODES]);
+}
+
+static hexcon_status read_way(hexcon_context *context, int way, diced_problem *p) {
+  forget_reading(context, p);
   hexcon_status status = coarse_surface_read(context, p->s, way, &p->coarse, NULL);
-  return status ? status : coarse_front_build(context, &p->coarse, p->s->point_count, &p->front);
+  if (!status)
+    status = coarse_front_of_pyramids(context, &p->coarse, p->s->point_count,
+                                      &p->fronts[DICED_PYRAMIDS]);
+  return status ? status : prepare_geodes(context, p);
 }
 
 /* ------------------------------------------------------------------------------------ improving */
@@ -90,6 +127,7 @@ static hexcon_status polish(hexcon_context *context, const diced_problem *p, fil
 
 /* ------------------------------------------------------------------------------------- attempts */
 
+static const char *const block_names[] = {"pyramids", "Geodes"};
 static const char *const closure_names[] = {"one tetrahedron", "star", "tetrahedra"};
 
 static void log_attempt(hexcon_mesh *mesh, const diced_filling *f) {
@@ -99,20 +137,20 @@ static void log_attempt(hexcon_mesh *mesh, const diced_filling *f) {
                    "%zu hexes, %zu not positive, scaled Jacobian min %.4f, mean %.4f",
                    f->mesh.hex_count, f->mesh.inverted, f->mesh.worst, f->mesh.mean);
   if (f->quad_count > 0)
-    (void)snprintf(heights, sizeof heights, ", pyramids' height %.2f", f->scale);
+    (void)snprintf(heights, sizeof heights, ", %s, height %.2f", block_names[f->block], f->scale);
   (void)snprintf(line, sizeof line, "%zu coarse triangles and %zu quads, %s%s: %s",
                  f->triangle_count, f->quad_count, closure_names[f->closure], heights, found);
   mesh_log(mesh, line);
 }
 
 /** Fill so, if that is possible; keep the better of that and `best`. */
-static hexcon_status try_closure(hexcon_context *context, const diced_problem *p,
-                                 diced_closure closure, double scale, hexcon_mesh *mesh,
-                                 diced_filling *best) {
-  if (is_good(p, best) || !diced_filling_is_possible(p, closure))
+static hexcon_status try_closure(hexcon_context *context, const diced_problem *p, size_t way,
+                                 diced_closure closure, hexcon_mesh *mesh, diced_filling *best) {
+  if (is_good(p, best) || !diced_filling_is_possible(p, blocks[way].block, closure))
     return HEXCON_OK;
   diced_filling f;
-  hexcon_status status = diced_filling_build(context, p, closure, scale, &f);
+  hexcon_status status =
+      diced_filling_build(context, p, blocks[way].block, closure, blocks[way].scale, &f);
   if (!status && f.mesh.points)
     status = improve(context, p, &f.mesh);
   if (!status)
@@ -126,21 +164,33 @@ static hexcon_status try_closure(hexcon_context *context, const diced_problem *p
   return status;
 }
 
-/** All closures of one reading of the surface that are worth a try. */
+/** All closures, with one kind of blocks, that are worth a try. */
+static hexcon_status try_blocks(hexcon_context *context, const diced_problem *p, size_t way,
+                                hexcon_mesh *mesh, diced_filling *best) {
+  bool small = p->fronts[blocks[way].block].triangle_count <= STAR_TRIANGLES;
+  hexcon_status status = try_closure(context, p, way, DICED_ONE, mesh, best);
+  if (!status && small)
+    status = try_closure(context, p, way, DICED_STAR, mesh, best);
+  if (!status)
+    status = try_closure(context, p, way, DICED_TETRAHEDRA, mesh, best);
+  bool wanting = !best->mesh.points || best->mesh.inverted > 0;
+  if (!status && !small && wanting)
+    status = try_closure(context, p, way, DICED_STAR, mesh, best);
+  return status;
+}
+
+static bool is_worth_a_try(const diced_problem *p, size_t way, const diced_filling *best) {
+  if (p->coarse.quad_count == 0) /* no block makes a difference */
+    return blocks[way].block == DICED_PYRAMIDS && blocks[way].scale >= 1;
+  return blocks[way].for_quality || !best->mesh.points || best->mesh.inverted > 0;
+}
+
 static hexcon_status try_reading(hexcon_context *context, const diced_problem *p, hexcon_mesh *mesh,
                                  diced_filling *best) {
-  bool small = p->front.triangle_count <= STAR_TRIANGLES;
-  size_t heights = p->coarse.quad_count > 0 ? SCALES : 1;
-  hexcon_status status = try_closure(context, p, DICED_ONE, 1, mesh, best);
-  for (size_t k = 0; !status && k < heights; k++) {
-    if (small)
-      status = try_closure(context, p, DICED_STAR, scales[k], mesh, best);
-    if (!status)
-      status = try_closure(context, p, DICED_TETRAHEDRA, scales[k], mesh, best);
-    bool wanting = !best->mesh.points || best->mesh.inverted > 0;
-    if (!status && !small && wanting)
-      status = try_closure(context, p, DICED_STAR, scales[k], mesh, best);
-  }
+  hexcon_status status = HEXCON_OK;
+  for (size_t way = 0; !status && way < BLOCKS; way++)
+    if (is_worth_a_try(p, way, best))
+      status = try_blocks(context, p, way, mesh, best);
   return status;
 }
 
@@ -156,7 +206,8 @@ static void hand_over(const diced_problem *p, const diced_filling *f, hexcon_mes
   mesh_note(mesh, "coarse triangles", (double)f->triangle_count);
   mesh_note(mesh, "coarse quads", (double)f->quad_count);
   mesh_note(mesh, "tetrahedra", (double)f->tetrahedron_count);
-  mesh_note(mesh, "pyramids", (double)f->quad_count);
+  mesh_note(mesh, "pyramids", f->block == DICED_PYRAMIDS ? (double)f->quad_count : 0);
+  mesh_note(mesh, "geodes", f->block == DICED_GEODES ? (double)f->quad_count : 0);
   mesh_note(mesh, "hexes per quad", (double)f->mesh.hex_count / (double)p->s->quad_count);
   mesh_note(mesh, "optimisation rounds", (double)f->mesh.rounds);
   mesh_note(mesh, "surface bound", p->bound);
@@ -219,7 +270,6 @@ hexcon_status mesh_diced(hexcon_context *context, const surface *s,
     filled_mesh_free(context, &best.mesh);
   else
     hand_over(&p, &best, mesh);
-  coarse_front_free(context, &p.front);
-  coarse_surface_free(context, &p.coarse);
+  forget_reading(context, &p);
   return status;
 }

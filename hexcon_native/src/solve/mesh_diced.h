@@ -8,8 +8,8 @@
 
 /**
  * Fill a checked surface of one component, of any genus. Reads it in the ways that there are, the
- * best first; closes each by one tetrahedron, a star, or the caller's tetrahedra, with pyramids of
- * several heights on coarse quads; logs what was tried and keeps the best.
+ * best first; puts Geodes or pyramids of several heights on coarse quads, closes what is left by
+ * one tetrahedron, a star, or the caller's tetrahedra; logs what was tried and keeps the best.
  * @param mesh  its points, hexes, quality and method are filled; the caller frees
  * Errors: NOT_DICED, UNFILLABLE_QUAD, NOT_STAR_SHAPED (nor were tetrahedra found), NOT_CERTIFIED
  * (method auto only: hexes are left that are not positive), CANCELLED, OUT_OF_MEMORY, TOO_LARGE.

@@ -43,6 +43,7 @@ METHOD_WORDS = {
 LAYERED_METHODS = ("auto", "cells")
 MOST_LAYERS = 10
 CELL_HEXES = 45  # hexes a quad in cells and the tetrahedra below them, without layers: for a guess
+DICED_HEXES = 10  # the same of diced subdivided quads: of subdivided triangles it is 3
 # The same of the topological methods that always make as many.
 TOPOLOGICAL_HEXES = {"pyramid": 76, "pyramid-alt": 58, "geode": 130, "geode-alt": 112}
 
@@ -172,7 +173,8 @@ class MeshPanel(Panel):
     def _estimate(self, *_):
         settings = self._settings()
         size, method = settings["size"], settings["method"]
-        hexes_a_quad = TOPOLOGICAL_HEXES.get(method, CELL_HEXES + settings["layers"])
+        hexes_a_quad = DICED_HEXES if method == "diced" else \
+            TOPOLOGICAL_HEXES.get(method, CELL_HEXES + settings["layers"])
         if size <= 0.0 or (method in TOPOLOGICAL_METHODS and method not in TOPOLOGICAL_HEXES):
             self.expected.clear()
             return
