@@ -27,11 +27,13 @@ enum { STAR_TRIANGLES = 64 };
 /** Nothing else is tried once the worst scaled Jacobian is this, or near what the surface allows.
  */
 static const double good_worst = 0.2, near_the_bound = 0.7;
-/** .. of pyramids, which are worse by themselves. */
-static const double good_worst_pyramid = 0.1;
+/** .. on coarse quads: blocks are worse by themselves; .. */
+static const double good_worst_block = 0.08;
+/** .. up to here their hexes are raised. */
+static const double wanted_worst_block = 0.15;
 
 static double good_enough(const diced_problem *p) {
-  double good = p->coarse.quad_count > 0 ? good_worst_pyramid : good_worst;
+  double good = p->coarse.quad_count > 0 ? good_worst_block : good_worst;
   return fmin(good, near_the_bound * p->bound);
 }
 
@@ -103,7 +105,7 @@ static hexcon_status read_way(hexcon_context *context, int way, diced_problem *p
 
 /** Raise the worst hexes to where this surface's are worth no more time. */
 static double wanted_worst(const diced_problem *p) {
-  return 1.5 * (p->coarse.quad_count > 0 ? good_worst_pyramid : good_worst);
+  return p->coarse.quad_count > 0 ? wanted_worst_block : 1.5 * good_worst;
 }
 
 /** Untangle and raise the mean, then the worst hexes: enough to see what a filling is worth. */
