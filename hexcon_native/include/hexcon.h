@@ -300,11 +300,11 @@ typedef enum hexcon_method {
   HEXCON_METHOD_AUTO = 0, /**< the methods for solvers in the order of their worth, until one is
                                good; then the best certified mesh */
   HEXCON_METHOD_SWEPT,
-  HEXCON_METHOD_CELLS, /**< any even surface of a convex or star-shaped body */
-  HEXCON_METHOD_DICED, /**< subdivided surfaces, of any genus: every edge of a coarser one of
-                            triangles and quads split in two, every face cut about a centre. 4 hexes
-                            for each tetrahedron inside; on each coarse quad 26, or 36 where
-                            there are coarse triangles as well */
+  HEXCON_METHOD_CELLS,  /**< any even surface of a convex or star-shaped body */
+  HEXCON_METHOD_DICED,  /**< subdivided surfaces, of any genus: every edge of a coarser one of
+                             triangles and quads split in two, every face cut about a centre. 4 hexes
+                             for each tetrahedron inside; on each coarse quad 26, or 36 where
+                             there are coarse triangles as well */
   HEXCON_METHOD_SHEETS, /**< layers of hexes that take one dual loop after the other away, until a
                              cube is left; balls only */
   /* Those of Carbonera and Shepherd, for n quads: topological, so their meshes are conforming, but

@@ -18,6 +18,7 @@ typedef struct candidate {
 static const candidate candidates[] = {
     {HEXCON_METHOD_SWEPT, "swept", false, 0.2},
     {HEXCON_METHOD_SHEETS, "sheets", false, 0.1},
+    {HEXCON_METHOD_DICED, "diced", false, 0.05},
     {HEXCON_METHOD_CELLS, "cells", true, 0},
 };
 

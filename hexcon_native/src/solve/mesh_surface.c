@@ -171,7 +171,7 @@ hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points,
   if (status)
     return status;
   surface s;
-  double start = mesh_clock(), checked = start;
+  double start = mesh_clock();
   context->deadline = chosen.budget > 0 ? start + chosen.budget : 0;
   status = surface_build(context, points, point_count, quads, quad_count, &s);
   if (!status)
@@ -180,9 +180,9 @@ hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points,
   if (!status && !made)
     status = HEXCON_OUT_OF_MEMORY;
   if (!status) {
-    checked = mesh_clock();
+    double checks = mesh_clock() - start;
     status = fill_surface(context, &s, &chosen, made);
-    mesh_note(made, "seconds checks", checked - start);
+    mesh_note(made, "seconds checks", checks);
   }
   surface_free(context, &s);
   context->deadline = 0;

@@ -13,21 +13,21 @@
 
 /** How each method goes on from the surface. */
 typedef struct recipe {
-  hexcon_method method;
   const char *name;
-  split_kind kind;
   hexcon_status (*close)(hexcon_context *context, const split_front *front, nested_mesh *mesh);
+  hexcon_method method;
+  split_kind kind;
   bool pillows;
 } recipe;
 
 static const recipe recipes[] = {
-    {HEXCON_METHOD_FOUR_SPLIT, "four-split", SPLIT_ORIGINAL, NULL, false},
-    {HEXCON_METHOD_PYRAMID, "pyramid", SPLIT_ORIGINAL, nested_mesh_close_by_pyramids, false},
-    {HEXCON_METHOD_PYRAMID_ALT, "pyramid-alt", SPLIT_ALTERNATIVE, nested_mesh_close_by_pyramids,
+    {"four-split", NULL, HEXCON_METHOD_FOUR_SPLIT, SPLIT_ORIGINAL, false},
+    {"pyramid", nested_mesh_close_by_pyramids, HEXCON_METHOD_PYRAMID, SPLIT_ORIGINAL, false},
+    {"pyramid-alt", nested_mesh_close_by_pyramids, HEXCON_METHOD_PYRAMID_ALT, SPLIT_ALTERNATIVE,
      false},
-    {HEXCON_METHOD_GEODE, "geode", SPLIT_ORIGINAL, nested_mesh_close_by_geodes, false},
-    {HEXCON_METHOD_GEODE_ALT, "geode-alt", SPLIT_ALTERNATIVE, nested_mesh_close_by_geodes, false},
-    {HEXCON_METHOD_PILLOWED, "pillowed", SPLIT_ALTERNATIVE, nested_mesh_close_by_geodes, true},
+    {"geode", nested_mesh_close_by_geodes, HEXCON_METHOD_GEODE, SPLIT_ORIGINAL, false},
+    {"geode-alt", nested_mesh_close_by_geodes, HEXCON_METHOD_GEODE_ALT, SPLIT_ALTERNATIVE, false},
+    {"pillowed", nested_mesh_close_by_geodes, HEXCON_METHOD_PILLOWED, SPLIT_ALTERNATIVE, true},
 };
 
 static const recipe *find_recipe(hexcon_method method) {
