@@ -7,19 +7,19 @@
 
 /** A method, and when nothing after it is tried any more. */
 typedef struct candidate {
-  hexcon_method method;
   const char *name;
-  bool has_layers;   /* takes options->layers */
   double good_worst; /* scaled Jacobian, or nearly what the surface allows */
+  hexcon_method method;
+  bool has_layers; /* takes options->layers */
 } candidate;
 
 /** In the order of their worth: fewest hexes first. The fewer a method takes, the less its
  * successors can win, so the lower is what suffices. */
 static const candidate candidates[] = {
-    {HEXCON_METHOD_SWEPT, "swept", false, 0.2},
-    {HEXCON_METHOD_SHEETS, "sheets", false, 0.1},
-    {HEXCON_METHOD_DICED, "diced", false, 0.05},
-    {HEXCON_METHOD_CELLS, "cells", true, 0},
+    {"swept", 0.2, HEXCON_METHOD_SWEPT, false},
+    {"sheets", 0.1, HEXCON_METHOD_SHEETS, false},
+    {"diced", 0.05, HEXCON_METHOD_DICED, false},
+    {"cells", 0, HEXCON_METHOD_CELLS, true},
 };
 
 enum { CANDIDATES = sizeof candidates / sizeof *candidates };
