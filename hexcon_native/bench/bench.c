@@ -2,24 +2,19 @@
 /**
  * Time and memory of every stage on swept surfaces of 10^4, 10^5 and 10^6 hexes, numbered at
  * random, and the exponent by which each stage grows; then of cells on rough boxes of 24, 96 and
- * 294 quads. Prints two tables.
+ * 294 quads; and of the topological methods on 10^3 to 10^6 quads. Prints three tables;
+ * with the argument `topological` the last one alone.
  */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
-#include <time.h>
 
-#include "hexcon.h"
+#include "bench_support.h"
+#include "bench_topological.h"
 
 enum { SIZES = 3, STAGES = 24 };
-
-typedef struct surface_arrays {
-  size_t point_count, quad_count;
-  double *points;
-  int32_t *quads;
-} surface_arrays;
 
 typedef struct table {
   size_t hexes[SIZES];
@@ -28,12 +23,6 @@ typedef struct table {
   char names[STAGES][48];
   double seconds[STAGES][SIZES];
 } table;
-
-static double now(void) {
-  struct timespec t;
-  (void)timespec_get(&t, TIME_UTC);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static void note(table *t, int size, const char *name, double seconds) {
   size_t stage = 0;
@@ -44,113 +33,6 @@ static void note(table *t, int size, const char *name, double seconds) {
   if (stage == t->stage_count)
     (void)snprintf(t->names[t->stage_count++], sizeof t->names[0], "%s", name);
   t->seconds[stage][size] += seconds;
-}
-
-static void stop(const char *what) {
-  (void)fprintf(stderr, "bench: %s\n", what);
-  exit(1);
-}
-
-static void *allocate(size_t count, size_t size) {
-  void *memory = calloc(count, size);
-  if (!memory)
-    stop("out of memory");
-  return memory;
-}
-
-/** Id of a lattice point, given out at first use. */
-static int32_t point_id(int32_t *ids, surface_arrays *s, size_t n, const size_t at[3]) {
-  int32_t *id = &ids[(at[0] * (n + 1) + at[1]) * (n + 1) + at[2]];
-  if (*id < 0) {
-    *id = (int32_t)s->point_count++;
-    for (int i = 0; i < 3; i++)
-      s->points[3 * (size_t)*id + (size_t)i] = (double)at[i] / (double)n;
-  }
-  return *id;
-}
-
-/** The six sides of a cube of n^3 cells. */
-static surface_arrays cube_surface(size_t n) {
-  surface_arrays s = {0, 0, allocate(18 * (n + 1) * (n + 1), sizeof(double)),
-                      allocate(24 * n * n, sizeof(int32_t))};
-  size_t lattice = (n + 1) * (n + 1) * (n + 1);
-  int32_t *ids = allocate(lattice, sizeof *ids);
-  memset(ids, -1, lattice * sizeof *ids);
-  static const size_t corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  for (size_t axis = 0; axis < 3; axis++)
-    for (size_t side = 0; side < 2; side++)
-      for (size_t cell = 0; cell < n * n; cell++) {
-        for (size_t c = 0; c < 4; c++) {
-          const size_t *corner = corners[side ? c : 3 - c];
-          size_t at[3];
-          at[axis] = side * n;
-          at[(axis + 1) % 3] = cell / n + corner[0];
-          at[(axis + 2) % 3] = cell % n + corner[1];
-          s.quads[4 * s.quad_count + c] = point_id(ids, &s, n, at);
-        }
-        s.quad_count++;
-      }
-  free(ids);
-  return s;
-}
-
-/** Bend the cube, so that no level is an affine image of a cap. */
-static void bend(surface_arrays *s) {
-  for (size_t v = 0; v < s->point_count; v++) {
-    double *p = s->points + 3 * v, x = p[0], y = p[1], z = p[2];
-    p[0] = x + 0.1 * sin(3 * y) * z;
-    p[2] = z + 0.05 * sin(3 * x * y);
-  }
-}
-
-static size_t random_below(uint64_t *state, size_t bound) {
-  *state = *state * 6364136223846793005u + 1442695040888963407u;
-  return (size_t)((*state >> 33) % bound);
-}
-
-/** Number points and quads at random: real files have no helpful order. */
-static void shuffle(surface_arrays *s) {
-  uint64_t state = 1;
-  int32_t *place = allocate(s->point_count, sizeof *place);
-  double *points = allocate(3 * s->point_count, sizeof *points);
-  for (size_t v = 0; v < s->point_count; v++) {
-    size_t other = random_below(&state, v + 1);
-    place[v] = place[other];
-    place[other] = (int32_t)v;
-  }
-  for (size_t v = 0; v < s->point_count; v++)
-    memcpy(points + 3 * (size_t)place[v], s->points + 3 * v, 3 * sizeof *points);
-  for (size_t i = 0; i < 4 * s->quad_count; i++)
-    s->quads[i] = place[s->quads[i]];
-  for (size_t q = s->quad_count; q > 1; q--) {
-    size_t other = random_below(&state, q);
-    int32_t quad[4];
-    memcpy(quad, s->quads + 4 * other, sizeof quad);
-    memcpy(s->quads + 4 * other, s->quads + 4 * (q - 1), sizeof quad);
-    memcpy(s->quads + 4 * (q - 1), quad, sizeof quad);
-  }
-  free(place);
-  free(s->points);
-  s->points = points;
-}
-
-static void check(hexcon_context *context, hexcon_status status) {
-  if (status)
-    stop(hexcon_context_message(context));
-}
-
-/** Move inner points at random by up to `amount` mean edge lengths along each axis: one in `every`.
- */
-static void scramble(double *points, size_t count, size_t fixed_count, double amount,
-                     size_t every) {
-  uint64_t state = 2;
-  double edge = 1 / cbrt((double)count);
-  for (size_t i = 0; i < (count - fixed_count) / every; i++) {
-    size_t v =
-        every == 1 ? fixed_count + i : fixed_count + random_below(&state, count - fixed_count);
-    for (size_t k = 0; k < 3; k++)
-      points[3 * v + k] += amount * edge * ((double)random_below(&state, 2001) / 1000 - 1);
-  }
 }
 
 static double worst_of(hexcon_context *context, const double *points, size_t count,
@@ -220,8 +102,7 @@ static void bench_pairing(hexcon_context *context, table *t, int size, size_t he
     scramble(s.points, s.point_count, 0, 0.3 * cbrt((double)s.point_count) / (double)n, 1);
   }
   free(pairs);
-  free(s.points);
-  free(s.quads);
+  surface_arrays_free(&s);
 }
 
 /** The stages that the mesh's report tells of. */
@@ -271,8 +152,7 @@ static void bench_size(hexcon_context *context, table *t, int size, size_t n) {
   bench_damages(context, t, size, mesh, s.point_count);
   bench_pairing(context, t, size, t->hexes[size]);
   hexcon_mesh_free(context, mesh);
-  free(s.points);
-  free(s.quads);
+  surface_arrays_free(&s);
 }
 
 /* --------------------------------------------------------------------------------------- cells */
@@ -304,8 +184,7 @@ static void bench_cells(hexcon_context *context, table *t, int size, size_t n) {
   (void)fprintf(stderr, "cells on %zu quads: worst scaled Jacobian %.4f\n", s.quad_count,
                 worst_of(context, hexcon_mesh_points(mesh), hexcon_mesh_point_count(mesh), mesh));
   hexcon_mesh_free(context, mesh);
-  free(s.points);
-  free(s.quads);
+  surface_arrays_free(&s);
 }
 
 static void print_row(const table *t, const char *name, const double values[SIZES]) {
@@ -334,7 +213,10 @@ static void print_head(const table *t) {
     print_row(t, t->names[stage], t->seconds[stage]);
 }
 
-int main(void) {
+int main(int argument_count, char **arguments) {
+  bench_topological(); /* first: its processes begin as large as this one */
+  if (argument_count > 1 && strcmp(arguments[1], "topological") == 0)
+    return 0;
   static const size_t cells[SIZES] = {22, 46, 100}, cell_sides[SIZES] = {2, 4, 7};
   table t = {{0}, {0}, 0, {{0}}, {{0}}}, of_cells = t;
   hexcon_context *context = hexcon_context_new();
