@@ -183,12 +183,49 @@ bool ball_glue(const ball *before, flip f, const flip_disc *disc, ball *after) {
   return true;
 }
 
+/** Does a hex before the last one have both ends of an edge, or all corners of a quad? */
+static bool inside_already(const ball *b, const uint8_t *points, int count) {
+  for (int h = 0; h < b->hex_count - 1; h++) {
+    int found = 0;
+    while (found < count && memchr(b->hexes[h], points[found], 8))
+      found++;
+    if (found == count)
+      return true;
+  }
+  return false;
+}
+
+/** Are quads of the last hex, and the edges between them, nowhere else? Their points may be old. */
+static bool skin_is_new(const ball *b) {
+  const sphere *s = &b->surface;
+  const uint8_t *last = b->hexes[b->hex_count - 1];
+  bool of_last[MOST_QUADS];
+  for (int q = 0; q < s->quad_count; q++) {
+    uint8_t points[4];
+    int found = 0;
+    for (int k = 0; k < 4; k++) {
+      points[k] = b->point[s->corner[4 * q + k]];
+      found += memchr(last, points[k], 8) != NULL;
+    }
+    of_last[q] = found == 4;
+    if (of_last[q] && inside_already(b, points, 4))
+      return false;
+  }
+  for (int d = 0; d < 4 * s->quad_count; d++) {
+    const int twin = s->twin[d];
+    const uint8_t ends[2] = {b->point[s->corner[d]], b->point[s->corner[twin]]};
+    if (d < twin && of_last[d >> 2] && of_last[twin >> 2] && inside_already(b, ends, 2))
+      return false;
+  }
+  return true;
+}
+
 bool ball_last_hex_proper(const ball *b) {
   const int last = b->hex_count - 1;
   for (int i = 0; i < last; i++)
     if (!hexes_meet_properly(b->hexes[i], b->hexes[last]))
       return false;
-  return true;
+  return skin_is_new(b);
 }
 
 void ball_single_hex(ball *b) {

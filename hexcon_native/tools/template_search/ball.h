@@ -57,7 +57,8 @@ int flip_growth(const flip_disc *disc);
  */
 bool ball_glue(const ball *before, flip f, const flip_disc *disc, ball *after);
 
-/** The last hex meets all others in nothing, a point, an edge or a face. */
+/** The last hex meets all others in nothing, a point, an edge or a face, and its new faces and
+ * edges are not those of others. */
 bool ball_last_hex_proper(const ball *b);
 
 /** One hex. */

@@ -129,12 +129,18 @@ static void try_join(void *user, uint32_t entry, walk_start start) {
   b->visit(b->user, &f);
 }
 
+static void join_cavity(beam *b, const ball *cavity, const canonical *c) {
+  bool needed[MOST_DARTS];
+  join j = {b, cavity};
+  find_needed(cavity, needed);
+  table_match(b->inner, &cavity->surface, c, needed, try_join, &j);
+}
+
 /** Add the best candidates to the outer table and join them. */
 static void keep_best(beam *b) {
   ball parent, child;
   flip_disc disc;
   canonical c;
-  bool needed[MOST_DARTS];
   int kept = 0;
   qsort(b->candidates, b->count, sizeof *b->candidates, compare_promises);
   for (size_t i = 0; i < b->count && kept < b->options.width; i++) {
@@ -146,9 +152,7 @@ static void keep_best(beam *b) {
     if (table_add(&b->outer, k->parent, k->last, &child, &c) == NO_ENTRY)
       continue;
     kept++;
-    find_needed(&child, needed);
-    join j = {b, &child};
-    table_match(b->inner, &child.surface, &c, needed, try_join, &j);
+    join_cavity(b, &child, &c);
   }
 }
 
@@ -184,7 +188,12 @@ int beam_search(const table *inner, const target *t, const beam_options *options
   ball cavity;
   target_cavity(t, &cavity);
   estimate_learn(inner, &b.guess);
-  table_begin(&b.outer, &cavity, cavity.surface.quad_count, 1);
+  const int quads = cavity.surface.quad_count;
+  table_begin(&b.outer, quads > options->most_quads ? quads : options->most_quads, 1);
+  table_add_root(&b.outer, &cavity);
+  canonical code;
+  canonical_find(&cavity.surface, &code);
+  join_cavity(&b, &cavity, &code);
   size_t begin = 0;
   for (int step = 1; !beam_over(&b, step, begin); step++) {
     const size_t end = b.outer.count;

@@ -19,6 +19,7 @@ uint64_t filling_name(const target *goal, const filling *f);
 
 typedef struct beam_options {
   int width;         /**< cavities kept at each step */
+  int most_quads;    /**< of a cavity, or as many as the target has */
   int most_hexes;    /**< in a filling */
   int most_fillings; /**< then stop */
   double noise;      /**< added to the promised hexes, to search elsewhere with another seed */

@@ -5,6 +5,8 @@
  *     hexcon_template_search classes most_quads
  *     hexcon_template_search fill target [name value ...]
  *     hexcon_template_search refill target [name value ...]
+ *     hexcon_template_search batch [name value ...]
+ *     hexcon_template_search spread [name value ...]
  *
  * Standard output: a line for each result. A filling is its number of hexes and their points, eight
  * each, in VTK order; points below the number of boundary points are those of the target.
@@ -12,6 +14,12 @@
  * `refill` answers each line of standard input, `tries slack most_hexes focus most_part
  * point_count` and a filling, by one line: the name of another filling and that filling, or 0 if
  * none was found.
+ *
+ * `batch` answers each target file on standard input, followed by the number of known fillings and
+ * these, by its smallest fillings and 0: found by a beam, and then by re-filling parts of them.
+ *
+ * `spread` reads fillings of any boundaries and prints the smallest ones that they and the cube
+ * lead to by gluing hexes on, of every boundary with as many quads as the option `small` or fewer.
  */
 #include <inttypes.h>
 #include <stdio.h>
@@ -21,11 +29,15 @@
 #include "beam.h"
 #include "classes.h"
 #include "refill.h"
+#include "shrink.h"
+#include "spread.h"
 #include "support.h"
 
 typedef struct settings {
   int quads, alternatives, table_hexes;
-  double entries;
+  int keep;  /**< batch, spread: fillings of a boundary */
+  int small; /**< spread: quads of those that are told */
+  double entries, shrink_seconds;
   beam_options beam;
 } settings;
 
@@ -39,7 +51,11 @@ static void set(settings *s, const char *name, const char *text) {
                {"alternatives", &s->alternatives, NULL},
                {"table_hexes", &s->table_hexes, NULL},
                {"entries", NULL, &s->entries},
+               {"keep", &s->keep, NULL},
+               {"small", &s->small, NULL},
+               {"shrink", NULL, &s->shrink_seconds},
                {"width", &s->beam.width, NULL},
+               {"cavity_quads", &s->beam.most_quads, NULL},
                {"hexes", &s->beam.most_hexes, NULL},
                {"fillings", &s->beam.most_fillings, NULL},
                {"noise", NULL, &s->beam.noise},
@@ -66,6 +82,9 @@ static settings read_settings(int count, char **words) {
                 .alternatives = 1,
                 .table_hexes = 48,
                 .entries = 1e6,
+                .keep = 12,
+                .small = 16,
+                .shrink_seconds = 5,
                 .beam = {.width = 2000,
                          .most_hexes = MOST_HEXES,
                          .most_fillings = 100,
@@ -78,7 +97,8 @@ static settings read_settings(int count, char **words) {
     set(&s, words[i], words[i + 1]);
   if (s.quads < 6 || s.quads > MOST_QUADS || s.alternatives < 1 ||
       s.alternatives > MOST_ALTERNATIVES || s.table_hexes > MOST_HEXES ||
-      s.beam.most_hexes > MOST_HEXES)
+      s.beam.most_hexes > MOST_HEXES || s.beam.most_quads > MOST_QUADS || s.keep < 1 ||
+      s.keep > MOST_KEPT)
     stop("an option is out of its range");
   return s;
 }
@@ -93,14 +113,15 @@ static void print_filling(void *user, const filling *f) {
   (void)fflush(stdout);
 }
 
-static void grow_from_cube(table *t, const settings *s) {
+static void grow_from_cube(table *t, int quads, int alternatives, const settings *s) {
   const double started = now();
   ball cube;
   ball_single_hex(&cube);
-  table_begin(t, &cube, s->quads, s->alternatives);
+  table_begin(t, quads, alternatives);
+  table_add_root(t, &cube);
   table_grow(t, (size_t)s->entries, s->table_hexes);
   (void)fprintf(stderr, "table: %zu entries in %zu classes up to %d quads, %d hexes; %.1f s\n",
-                t->count, t->classes.count, s->quads, t->entries[t->count - 1].hex_count,
+                t->count, t->classes.count, quads, t->entries[t->count - 1].hex_count,
                 now() - started);
 }
 
@@ -148,6 +169,66 @@ static void serve_refills(const table *t, const target *goal, uint64_t seed) {
   }
 }
 
+static void offer_filling(void *user, const filling *f) {
+  pool_offer(user, f);
+}
+
+static void answer_target(const table *deep, const table *wide, const char *path,
+                          const settings *s) {
+  target goal;
+  filling known;
+  int count = 0;
+  dice random = {s->beam.seed};
+  pool p = {.goal = &goal, .room = s->keep};
+  target_read(&goal, path);
+  for (bool more = next_number(&count, 0, 1 << 20); more && count > 0; count--)
+    if (read_filling(&known, MOST_POINTS) &&
+        target_filled(&goal, (const uint8_t(*)[8])known.hexes, known.hex_count))
+      pool_offer(&p, &known);
+  (void)beam_search(deep, &goal, &s->beam, offer_filling, &p);
+  shrink(wide, &p, s->shrink_seconds, &random);
+  for (int i = 0; i < p.count; i++)
+    print_filling(NULL, &p.kept[i]);
+  (void)printf("0\n");
+  (void)fflush(stdout);
+}
+
+/** The beam wants a deep table, re-filling one with alternatives: the same if one is asked for. */
+static int run_batch(const settings *s) {
+  table deep, other, *wide = &deep;
+  char path[4096];
+  grow_from_cube(&deep, s->quads, 1, s);
+  if (s->alternatives > 1) {
+    settings half = *s;
+    half.entries /= 2;
+    grow_from_cube(&other, s->quads < 20 ? s->quads : 20, s->alternatives, &half);
+    wide = &other;
+  }
+  while (scanf("%4095s", path) == 1)
+    answer_target(&deep, wide, path, s);
+  if (wide != &deep)
+    table_free(wide);
+  table_free(&deep);
+  return 0;
+}
+
+static int run_spread(const settings *s) {
+  table t;
+  ball b;
+  filling f;
+  table_begin(&t, s->quads, s->alternatives);
+  ball_single_hex(&b);
+  table_add_root(&t, &b);
+  while (read_filling(&f, MOST_POINTS))
+    if (ball_of_filling(&f, &b))
+      table_add_root(&t, &b);
+  table_grow(&t, (size_t)s->entries, s->table_hexes);
+  (void)fprintf(stderr, "spread: %zu entries from %zu roots\n", t.count, t.root_count);
+  visit_smallest(&t, s->small, s->keep, print_filling, NULL);
+  table_free(&t);
+  return 0;
+}
+
 static int run_classes(const char *word) {
   size_t counts[MOST_QUADS + 1];
   const int most = whole_number(&word, 6, MOST_QUADS);
@@ -162,11 +243,20 @@ int main(int count, char **words) {
   table t;
   if (count == 3 && strcmp(words[1], "classes") == 0)
     return run_classes(words[2]);
+  if (count >= 2 && strcmp(words[1], "batch") == 0) {
+    const settings s = read_settings(count - 2, words + 2);
+    return run_batch(&s);
+  }
+  if (count >= 2 && strcmp(words[1], "spread") == 0) {
+    const settings s = read_settings(count - 2, words + 2);
+    return run_spread(&s);
+  }
   if (count < 3 || (strcmp(words[1], "fill") != 0 && strcmp(words[1], "refill") != 0))
-    stop("say: classes most_quads | fill target [name value ...] | refill target [name value ...]");
+    stop("say: classes most_quads | fill target [name value ...] | refill target [name value ...] "
+         "| batch [name value ...] | spread [name value ...]");
   const settings s = read_settings(count - 3, words + 3);
   target_read(&goal, words[2]);
-  grow_from_cube(&t, &s);
+  grow_from_cube(&t, s.quads, s.alternatives, &s);
   if (strcmp(words[1], "refill") == 0)
     serve_refills(&t, &goal, s.beam.seed);
   else

@@ -40,17 +40,24 @@ static uint32_t fingerprint_of(const ball *b) {
   return (uint32_t)hexes_fingerprint(b->hexes, b->hex_count, colours, 2);
 }
 
-void table_begin(table *t, const ball *root, int most_quads, int alternatives) {
+void table_begin(table *t, int most_quads, int alternatives) {
+  *t = (table){.most_quads = most_quads, .alternatives = alternatives};
+}
+
+void table_add_root(table *t, const ball *root) {
   canonical c;
-  *t = (table){.root = *root, .most_quads = most_quads, .alternatives = alternatives};
   canonical_find(&root->surface, &c);
   const table_entry entry = {.marks = marks_along(root, c.starts[0]),
                              .parent = NO_ENTRY,
+                             .fingerprint = t->alternatives > 1 ? fingerprint_of(root) : 0,
                              .hex_count = (uint8_t)root->hex_count};
+  t->roots = resized(t->roots, t->root_count + 1, sizeof *t->roots);
+  t->roots[t->root_count++] = *root;
   (void)append(t, &entry, c.key);
 }
 
 void table_free(table *t) {
+  free(t->roots);
   free(t->entries);
   free(t->first);
   key_set_free(&t->classes);
@@ -59,10 +66,11 @@ void table_free(table *t) {
 void table_replay(const table *t, uint32_t entry, ball *b) {
   flip history[MOST_HEXES];
   int steps = 0;
-  for (uint32_t e = entry; t->entries[e].parent != NO_ENTRY; e = t->entries[e].parent)
+  uint32_t e = entry;
+  for (; t->entries[e].parent != NO_ENTRY; e = t->entries[e].parent)
     history[steps++] = t->entries[e].last;
   ball other, *here = b, *after = &other;
-  *here = t->root;
+  *here = t->roots[e];
   while (steps > 0) {
     const flip f = history[--steps];
     flip_disc disc;
@@ -109,7 +117,7 @@ static void find_dominators(const table *t, const ball *b, const canonical *c, d
   for (uint32_t e = t->first[class]; e != NO_ENTRY && d->count < t->alternatives;
        e = t->entries[e].next)
     for (int i = 0; i < c->start_count; i++)
-      if ((images[i] & ~t->entries[e].marks) == 0) {
+      if (t->entries[e].hex_count <= b->hex_count && (images[i] & ~t->entries[e].marks) == 0) {
         d->entries[d->count++] = e;
         break;
       }
@@ -144,15 +152,22 @@ static void add_child(void *user, flip f, const ball *child) {
   (void)table_add(g->t, g->parent, f, child, &c);
 }
 
-void table_grow(table *t, size_t most_entries, int most_hexes) {
+/** Add what the entries with so many hexes lead to. */
+static void grow_level(table *t, int hex_count, size_t most_entries) {
   ball b;
-  for (size_t i = 0; i < t->count && t->count < most_entries; i++) {
+  const size_t count = t->count;
+  for (size_t i = 0; i < count && t->count < most_entries; i++) {
+    if (t->entries[i].hex_count != hex_count)
+      continue;
     growth g = {t, (uint32_t)i};
     table_replay(t, (uint32_t)i, &b);
-    if (b.hex_count >= most_hexes)
-      return;
     table_children(t, &b, add_child, &g);
   }
+}
+
+void table_grow(table *t, size_t most_entries, int most_hexes) {
+  for (int hexes = 1; hexes < most_hexes && t->count < most_entries; hexes++)
+    grow_level(t, hexes, most_entries);
 }
 
 void table_match(const table *t, const sphere *s, const canonical *c, const bool *needed,

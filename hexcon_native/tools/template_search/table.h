@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
 /**
- * A table of balls reached from one ball by flips that respect the marks: class of the boundary,
- * marks, and how it was reached. 24 bytes an entry; the ball itself is replayed when needed.
+ * A table of balls reached from one ball, or several, by flips that respect the marks: class of the
+ * boundary, marks, and how it was reached. 24 bytes an entry; the ball itself is replayed when
+ * needed.
  *
  * Of two balls of one class, one whose marks include the other's and that has no more hexes
  * dominates: whatever the other can be continued to, it can be too. Such others are left out,
@@ -18,7 +19,7 @@
 
 typedef struct table_entry {
   uint64_t marks;       /**< along the walk from the first canonical start */
-  uint32_t parent;      /**< entry */
+  uint32_t parent;      /**< entry, or NO_ENTRY at a root */
   uint32_t next;        /**< entry of the same class, or NO_ENTRY */
   uint32_t fingerprint; /**< of the mesh; only if there may be alternatives */
   flip last;            /**< makes it from its parent */
@@ -29,7 +30,8 @@ typedef struct table_entry {
 enum { MOST_ALTERNATIVES = 64 };
 
 typedef struct table {
-  ball root;
+  size_t root_count;
+  ball *roots; /**< of the first entries */
   int most_quads, alternatives;
   size_t count, capacity;
   table_entry *entries;
@@ -39,7 +41,9 @@ typedef struct table {
 } table;
 
 /** @param alternatives  1 .. MOST_ALTERNATIVES */
-void table_begin(table *t, const ball *root, int most_quads, int alternatives);
+void table_begin(table *t, int most_quads, int alternatives);
+/** Before all other entries. */
+void table_add_root(table *t, const ball *root);
 void table_free(table *t);
 
 void table_replay(const table *t, uint32_t entry, ball *b);
@@ -51,7 +55,7 @@ void table_children(const table *t, const ball *parent, child_visitor visit, voi
 /** Add a child unless it is dominated. @return its entry or NO_ENTRY */
 uint32_t table_add(table *t, uint32_t parent, flip f, const ball *child, const canonical *c);
 
-/** Breadth first, until the entries or the hexes reach a limit or there is nothing new. */
+/** Fewest hexes first, until the entries or the hexes reach a limit or there is nothing new. */
 void table_grow(table *t, size_t most_entries, int most_hexes);
 
 typedef void (*match_visitor)(void *user, uint32_t entry, walk_start start);
