@@ -40,6 +40,7 @@ class ErrorCode(enum.IntEnum):
     NOT_SWEPT: int
     NO_SHEETS: int
     NOT_CERTIFIED: int
+    NO_SMALL_FILLING: int
 
 class Loops:
     lengths: NDArray[np.int64]

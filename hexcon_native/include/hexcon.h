@@ -61,6 +61,9 @@ typedef enum hexcon_status {
   HEXCON_NOT_DICED,                /**< elements: quads that do not fit a subdivision */
   HEXCON_NOT_CERTIFIED,            /**< elements: hexes whose Jacobian is not proved positive */
   HEXCON_OUT_OF_TIME,              /**< the time budget ran out before there was a mesh */
+  HEXCON_NO_SMALL_FILLING,         /**< more than 16 quads, or a class that the table of small
+                                        fillings lacks; elements: two quads with two opposite corners
+                                        in common */
   HEXCON_STATUS_COUNT
 } hexcon_status;
 
@@ -307,6 +310,7 @@ typedef enum hexcon_method {
                              there are coarse triangles as well */
   HEXCON_METHOD_SHEETS, /**< layers of hexes that take one dual loop after the other away, until a
                              cube is left; balls only */
+  HEXCON_METHOD_SMALLEST, /**< up to 16 quads of genus 0: the smallest filling known */
   /* Those of Carbonera and Shepherd, for n quads: topological, so their meshes are conforming, but
    * some Jacobians are zero or negative, whatever the points. auto never takes them. */
   HEXCON_METHOD_FOUR_SPLIT,  /**< 28 n hexes under the surface, down to quads that are all split in
@@ -317,6 +321,7 @@ typedef enum hexcon_method {
   HEXCON_METHOD_GEODE_ALT,   /**< 112 n */
   HEXCON_METHOD_PILLOWED,    /**< 139 n: geode-alt without doublets; proper, if the surface's quads
                                   meet properly themselves */
+  /** Up to 16 quads of genus 0, from a table made by search: the fewest hexes known. */
   HEXCON_METHOD_COUNT
 } hexcon_method;
 
@@ -377,9 +382,9 @@ typedef struct hexcon_mesh hexcon_mesh;
  * @param options  NULL for defaults
  * @param mesh     receives the result; free with hexcon_mesh_free
  * Errors: those of hexcon_check_surface, SEVERAL_COMPONENTS, ODD, NOT_SWEPT, UNFILLABLE_QUAD,
- * NOT_STAR_SHAPED, NO_SHEETS, NOT_DICED, NO_PAIRING, BAD_PAIRING, SELF_CROSSING, NO_SIDES,
- * NOT_A_BALL, NOT_CERTIFIED, CANCELLED, OUT_OF_TIME, BAD_ARGUMENT, OUT_OF_MEMORY; `mesh` is then
- * NULL. A topological mesh that is conforming and has the surface for its boundary is no error.
+ * NOT_STAR_SHAPED, NO_SHEETS, NOT_DICED, NO_SMALL_FILLING, NO_PAIRING, BAD_PAIRING, SELF_CROSSING,
+ * NO_SIDES, NOT_A_BALL, NOT_CERTIFIED, CANCELLED, OUT_OF_TIME, BAD_ARGUMENT, OUT_OF_MEMORY; `mesh` is
+ * then NULL. A topological mesh that is conforming and has the surface for its boundary is no error.
  * Cost: linear in the hexes made, plus the optimisation of what is bad.
  */
 hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points, size_t point_count,

@@ -39,6 +39,7 @@ METHOD_WORDS = {
     "geode": QT_TRANSLATE_NOOP("HexCon", "geode"),
     "geode-alt": QT_TRANSLATE_NOOP("HexCon", "geode, alternative"),
     "pillowed": QT_TRANSLATE_NOOP("HexCon", "pillowed"),
+    "smallest": QT_TRANSLATE_NOOP("HexCon", "smallest"),
 }
 LAYERED_METHODS = ("auto", "cells")
 MOST_LAYERS = 10

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/**
+ * Canonical codes of small quadrangulations of the sphere: equal for isomorphic ones, mirror images
+ * included.
+ *
+ * A walk begins with a half-edge and numbers the points in the order in which it meets them: point
+ * after point, it goes round all neighbours, counter-clockwise seen from outside, or clockwise if
+ * mirrored, from the neighbour by which it came. It writes a letter for each, 'a' + number, and a
+ * dot after each point. The least such text of all walks is the code.
+ */
+#ifndef HEXCON_SURFACE_CANONICAL_CODE_H
+#define HEXCON_SURFACE_CANONICAL_CODE_H
+
+#include "half_edges.h"
+
+enum {
+  CODE_MOST_QUADS = 16,
+  CODE_MOST_POINTS = CODE_MOST_QUADS + 2,
+  CODE_ROOM = 4 * CODE_MOST_QUADS + CODE_MOST_POINTS + 1
+};
+
+typedef struct canonical_code {
+  char text[CODE_ROOM];
+  bool mirrored;                   /**< the walk that gives it is */
+  int32_t order[CODE_MOST_POINTS]; /**< [point_count] points in the order of that walk */
+} canonical_code;
+
+/** One walk. @param s connected, of genus 0, all points used, at most CODE_MOST_QUADS quads */
+void surface_walk(const surface *s, int32_t half_edge, bool mirrored, canonical_code *walk);
+
+/** The least walk, one that is not mirrored where both are. Cost: quadratic in the quads. */
+void surface_canonical_code(const surface *s, canonical_code *code);
+
+#endif
