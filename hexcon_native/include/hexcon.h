@@ -321,7 +321,6 @@ typedef enum hexcon_method {
   HEXCON_METHOD_GEODE_ALT,   /**< 112 n */
   HEXCON_METHOD_PILLOWED,    /**< 139 n: geode-alt without doublets; proper, if the surface's quads
                                   meet properly themselves */
-  /** Up to 16 quads of genus 0, from a table made by search: the fewest hexes known. */
   HEXCON_METHOD_COUNT
 } hexcon_method;
 

@@ -11,7 +11,7 @@
 
 /** Surfaces and meshes the calls work on. */
 typedef struct material {
-  test_mesh swept, twisted, diced, not_swept, torus, scrambled, cube;
+  test_mesh swept, twisted, diced, small, not_swept, torus, scrambled, cube;
   uint8_t *fixed, *swept_fixed;
   double *positions, *goal; /* goal: of swept, to be gone to by its boundary */
 } material;
@@ -179,6 +179,11 @@ static hexcon_status call_mesh_twisted(hexcon_context *context, material *m) {
   return mesh_of(context, &m->twisted, 1);
 }
 
+/** Three hexes in a surface that is rough, so that they have to be moved. */
+static hexcon_status call_mesh_smallest(hexcon_context *context, material *m) {
+  return mesh_by(context, &m->small, HEXCON_METHOD_SMALLEST, 1);
+}
+
 static hexcon_status call_mesh_not_swept(hexcon_context *context, material *m) {
   hexcon_status status = mesh_of(context, &m->not_swept, 1);
   return status == HEXCON_NOT_SWEPT ? HEXCON_OK : status;
@@ -291,7 +296,8 @@ static const struct {
              {"mesh sheets", call_mesh_sheets},
              {"mesh no sheets", call_mesh_no_sheets},
              {"mesh diced", call_mesh_diced},
-             {"refuse not diced", call_mesh_not_diced}};
+             {"refuse not diced", call_mesh_not_diced},
+             {"mesh smallest", call_mesh_smallest}};
 
 enum { CALL_COUNT = sizeof calls / sizeof *calls };
 
@@ -326,6 +332,8 @@ static int set_up(void **state) {
   m.swept = make_box(3, 2, 4);
   m.twisted = make_box(3, 3, 3);
   twist(&m.twisted, 3, 7);
+  m.small = make_box(3, 1, 1);
+  twist(&m.small, 3, 5);
   m.goal = malloc(3 * m.swept.point_count * sizeof *m.goal);
   m.swept_fixed = calloc(m.swept.point_count, 1);
   assert_true(m.goal && m.swept_fixed);
@@ -351,6 +359,7 @@ static int tear_down(void **state) {
   test_mesh_free(&m->swept);
   test_mesh_free(&m->twisted);
   test_mesh_free(&m->diced);
+  test_mesh_free(&m->small);
   test_mesh_free(&m->not_swept);
   test_mesh_free(&m->torus);
   test_mesh_free(&m->cube);
