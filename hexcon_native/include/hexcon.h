@@ -303,13 +303,13 @@ typedef enum hexcon_method {
   HEXCON_METHOD_AUTO = 0, /**< the methods for solvers in the order of their worth, until one is
                                good; then the best certified mesh */
   HEXCON_METHOD_SWEPT,
-  HEXCON_METHOD_CELLS,  /**< any even surface of a convex or star-shaped body */
-  HEXCON_METHOD_DICED,  /**< subdivided surfaces, of any genus: every edge of a coarser one of
-                             triangles and quads split in two, every face cut about a centre. 4 hexes
-                             for each tetrahedron inside; on each coarse quad 26, or 36 where
-                             there are coarse triangles as well */
-  HEXCON_METHOD_SHEETS, /**< layers of hexes that take one dual loop after the other away, until a
-                             cube is left; balls only */
+  HEXCON_METHOD_CELLS,    /**< any even surface of a convex or star-shaped body */
+  HEXCON_METHOD_DICED,    /**< subdivided surfaces, of any genus: every edge of a coarser one of
+                               triangles and quads split in two, every face cut about a centre. 4 hexes
+                               for each tetrahedron inside; on each coarse quad 26, or 36 where
+                               there are coarse triangles as well */
+  HEXCON_METHOD_SHEETS,   /**< layers of hexes that take one dual loop after the other away, until a
+                               cube is left; balls only */
   HEXCON_METHOD_SMALLEST, /**< up to 16 quads of genus 0: the smallest filling known */
   /* Those of Carbonera and Shepherd, for n quads: topological, so their meshes are conforming, but
    * some Jacobians are zero or negative, whatever the points. auto never takes them. */
@@ -382,9 +382,9 @@ typedef struct hexcon_mesh hexcon_mesh;
  * @param mesh     receives the result; free with hexcon_mesh_free
  * Errors: those of hexcon_check_surface, SEVERAL_COMPONENTS, ODD, NOT_SWEPT, UNFILLABLE_QUAD,
  * NOT_STAR_SHAPED, NO_SHEETS, NOT_DICED, NO_SMALL_FILLING, NO_PAIRING, BAD_PAIRING, SELF_CROSSING,
- * NO_SIDES, NOT_A_BALL, NOT_CERTIFIED, CANCELLED, OUT_OF_TIME, BAD_ARGUMENT, OUT_OF_MEMORY; `mesh` is
- * then NULL. A topological mesh that is conforming and has the surface for its boundary is no error.
- * Cost: linear in the hexes made, plus the optimisation of what is bad.
+ * NO_SIDES, NOT_A_BALL, NOT_CERTIFIED, CANCELLED, OUT_OF_TIME, BAD_ARGUMENT, OUT_OF_MEMORY; `mesh`
+ * is then NULL. A topological mesh that is conforming and has the surface for its boundary is no
+ * error. Cost: linear in the hexes made, plus the optimisation of what is bad.
  */
 hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points, size_t point_count,
                                   const int32_t *quads, size_t quad_count,

@@ -16,9 +16,8 @@ typedef struct candidate {
 /** In the order of their worth: fewest hexes first. The fewer a method takes, the less its
  * successors can win, so the lower is what suffices. */
 static const candidate candidates[] = {
-    {"swept", 0.2, HEXCON_METHOD_SWEPT, false},
-    {"sheets", 0.1, HEXCON_METHOD_SHEETS, false},
-    {"diced", 0.05, HEXCON_METHOD_DICED, false},
+    {"swept", 0.2, HEXCON_METHOD_SWEPT, false},  {"sheets", 0.1, HEXCON_METHOD_SHEETS, false},
+    {"diced", 0.05, HEXCON_METHOD_DICED, false}, {"smallest", 0.2, HEXCON_METHOD_SMALLEST, false},
     {"cells", 0, HEXCON_METHOD_CELLS, true},
 };
 
