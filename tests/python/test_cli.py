@@ -14,7 +14,7 @@ import pytest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))
 from hex_grids import block  # noqa: E402
-from surfaces import permuted, turn_edge  # noqa: E402
+from surfaces import box, permuted, turn_edge  # noqa: E402
 
 from hexcon import cli, files  # noqa: E402
 from hexcon.quads import surface_from_file  # noqa: E402
@@ -305,3 +305,13 @@ def test_a_link_on_the_path_and_the_module(tmp_path):
     path = os.pathsep.join([str(ROOT), str(ROOT / "workbench")])
     done = hexcon("-m", "hexcon", "info", surface, program=sys.executable, PYTHONPATH=path)
     assert "6 quads (even)" in done.stdout
+
+
+@pytest.mark.parametrize("method,words", [("sheets", "sheets; "), ("diced", "coarse triangles"),
+                                          ("smallest", "hexes a quad"), ("cells", "pairs of quads")])
+def test_mesh_says_what_every_method_counts(tmp_path, method, words):
+    """Two cubes of edge 1 in each direction are diced as an octahedron too; one is the smallest surface."""
+    path = put(tmp_path / "quads.obj", *box(*([1] * 3 if method == "smallest" else [2] * 3)))
+    done = hexcon("mesh", path, "--method", method, "-o", tmp_path / "hexes.vtu")
+    assert done.returncode == 0, done.stderr
+    assert any(line.startswith("mesh ") and words in line for line in done.stdout.splitlines())

@@ -43,7 +43,7 @@ def _add_meshing(command):
                          help="wanted edge length in mm; needed for solids")
     command.add_argument("--surface-method", choices=SURFACE_METHODS, default="auto",
                          help="how a solid's surface is meshed with quads; auto: sweep, "
-                              "blocks, subdivided, the first that can be")
+                              "blocks, subdivided-triangles, the first that can be")
     _add_filling(command)
 
 

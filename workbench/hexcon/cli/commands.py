@@ -92,10 +92,12 @@ def _made_of(mesh):
     told = mesh.report
     if mesh.method == "swept":
         return f"{told['cap quads']:.0f} cap quads x {told['rings']:.0f} rings"
-    if is_topological(mesh):
-        return f"{len(mesh.hexes) / len(mesh.surface.quads):.1f} hexes a quad"
-    return (f"{told['layers']:.0f} layers, {told['pairs']:.0f} pairs of quads, "
-            f"{told['tetrahedra']:.0f} tetrahedra; {told['hexes per quad']:.1f} hexes a quad")
+    counts = [f"{told[name]:.0f} {words}" for name, words in
+              (("sheets", "sheets"), ("layers", "layers"), ("pairs", "pairs of quads"),
+               ("coarse triangles", "coarse triangles"), ("coarse quads", "coarse quads"),
+               ("tetrahedra", "tetrahedra")) if name in told]
+    share = f"{len(mesh.hexes) / len(mesh.surface.quads):.1f} hexes a quad"
+    return f"{', '.join(counts)}; {share}" if counts else share
 
 
 def _mesh_lines(mesh):

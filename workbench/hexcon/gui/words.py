@@ -76,11 +76,18 @@ def _made(mesh):
     if mesh.method == "swept":
         made = translate("HexCon", "swept, {cap} cap quads \u00d7 {rings} rings").format(
             cap=count(report["cap quads"]), rings=count(report["rings"]))
-    elif is_topological(mesh):
-        made = mesh.method
-    else:
+    elif mesh.method == "sheets":
+        made = translate("HexCon", "{sheets} sheets").format(sheets=count(report["sheets"]))
+    elif mesh.method == "diced":
+        made = translate("HexCon", "diced, {triangles} coarse triangles, {quads} coarse quads, "
+                         "{tetrahedra} tetrahedra inside").format(
+            triangles=count(report["coarse triangles"]), quads=count(report["coarse quads"]),
+            tetrahedra=count(report["tetrahedra"]))
+    elif mesh.method == "cells":
         made = translate("HexCon", "cells, {layers} layers, {tetrahedra} tetrahedra inside").format(
             layers=count(report["layers"]), tetrahedra=count(report["tetrahedra"]))
+    else:
+        made = mesh.method
     return made + translate("HexCon", "; {number:.1f} hexes a quad").format(
         number=len(mesh.hexes) / len(mesh.quads))
 

@@ -48,11 +48,12 @@ def _mesh(solid, job, link):
             if fault.code != refusal:
                 raise
             notes.append(f"auto: {word}: {fault}")
+    # Hexes inside: 3 a quad on triangles, 10 to 22, and worse ones, where there are coarse quads.
     try:
-        return whole_surface(solid, size, "subdivided", link), "subdivided", notes
+        return whole_surface(solid, size, "subdivided-triangles", link), "subdivided-triangles", notes
     except WorkerFault as fault:
-        notes.append(f"auto: not subdivided: {fault}")
-    return whole_surface(solid, size, "subdivided-triangles", link), "subdivided-triangles", notes
+        notes.append(f"auto: no subdivided triangles: {fault}")
+    return whole_surface(solid, size, "subdivided", link), "subdivided", notes
 
 
 sys.exit(session.run(sys.argv[1], _run))
