@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/** A method, and when nothing after it is tried any more. */
+/** A method, and how good the best mesh must be by then for nothing after it to be tried. */
 typedef struct candidate {
   const char *name;
   double good_worst; /* scaled Jacobian, or nearly what the surface allows */
@@ -16,8 +16,8 @@ typedef struct candidate {
 /** In the order of their worth: fewest hexes first. The fewer a method takes, the less its
  * successors can win, so the lower is what suffices. */
 static const candidate candidates[] = {
-    {"swept", 0.2, HEXCON_METHOD_SWEPT, false},  {"sheets", 0.1, HEXCON_METHOD_SHEETS, false},
-    {"diced", 0.05, HEXCON_METHOD_DICED, false}, {"smallest", 0.2, HEXCON_METHOD_SMALLEST, false},
+    {"swept", 0.3, HEXCON_METHOD_SWEPT, false},  {"sheets", 0.2, HEXCON_METHOD_SHEETS, false},
+    {"diced", 0.08, HEXCON_METHOD_DICED, false}, {"smallest", 0.08, HEXCON_METHOD_SMALLEST, false},
     {"cells", 0, HEXCON_METHOD_CELLS, true},
 };
 
@@ -109,13 +109,13 @@ static hexcon_status try_candidate(hexcon_context *context, const surface *s,
     log_fault(context, told, c);
   } else {
     log_mesh(told, c, made);
-    *good = is_good(c, made);
     if (is_better(made, best)) {
       mesh_clear(context, best);
       *best = *made;
       *made = (hexcon_mesh){0};
     }
   }
+  *good = best->hexes && is_good(c, best);
   hexcon_mesh_free(context, made);
   return status;
 }
@@ -124,7 +124,7 @@ static void explain(hexcon_mesh *told, const hexcon_mesh *best, bool good) {
   char line[160];
   (void)snprintf(line, sizeof line, "chosen: %s, %s", best->method,
                  !best->certificate.certified ? "though it is not certified"
-                 : good                       ? "the first that is good enough"
+                 : good                       ? "good enough"
                                               : "the best of these");
   mesh_log(told, line);
 }
