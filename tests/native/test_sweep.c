@@ -47,6 +47,8 @@ static double figure(const hexcon_mesh *mesh, const char *name) {
   return 0;
 }
 
+static const hexcon_mesh_options by_sweep = {.method = HEXCON_METHOD_SWEPT};
+
 /** Mesh it, as it is and renumbered; `hex_count` hexes each time. Frees the mesh. */
 static void expect_swept(test_mesh mesh, size_t hex_count) {
   test_memory memory = {0};
@@ -56,7 +58,7 @@ static void expect_swept(test_mesh mesh, size_t hex_count) {
     test_mesh other = round ? renumbered(&mesh, &random) : test_mesh_copy(&mesh);
     hexcon_mesh *made = NULL;
     hexcon_status status = hexcon_mesh_surface(context, other.points, other.surface_point_count,
-                                               other.quads, other.quad_count, NULL, &made);
+                                               other.quads, other.quad_count, &by_sweep, &made);
     if (status)
       print_message("%s\n", hexcon_context_message(context));
     assert_int_equal(status, HEXCON_OK);
@@ -193,14 +195,15 @@ static void uncertified(void **state) {
     if (box.points[3 * v] == 0 && box.points[3 * v + 1] == 0 && box.points[3 * v + 2] == 0)
       box.points[3 * v] = box.points[3 * v + 1] = box.points[3 * v + 2] = 1.9;
   hexcon_mesh *made = NULL;
+  hexcon_mesh_options options = {.method = HEXCON_METHOD_SWEPT};
   const int32_t *ids;
   assert_int_equal(hexcon_mesh_surface(context, box.points, box.surface_point_count, box.quads,
-                                       box.quad_count, NULL, &made),
+                                       box.quad_count, &options, &made),
                    HEXCON_NOT_CERTIFIED);
   assert_null(made);
   assert_message(context);
   assert_true(hexcon_context_elements(context, &ids) > 0);
-  const hexcon_mesh_options options = {.allow_uncertified = true};
+  options.allow_uncertified = true;
   assert_int_equal(hexcon_mesh_surface(context, box.points, box.surface_point_count, box.quads,
                                        box.quad_count, &options, &made),
                    HEXCON_OK);
@@ -222,7 +225,7 @@ static void any_scale(void **state) {
     for (size_t i = 0; i < 3 * box.point_count; i++)
       box.points[i] = ldexp(box.points[i], exponent);
     hexcon_status status = hexcon_mesh_surface(context, box.points, box.surface_point_count,
-                                               box.quads, box.quad_count, NULL, &made);
+                                               box.quads, box.quad_count, &by_sweep, &made);
     if (status)
       print_message("unit 2^%d: %s\n", exponent, hexcon_context_message(context));
     else
