@@ -54,13 +54,15 @@ def chamfered_box():
 
 @pytest.mark.parametrize("make,size", [(lambda: Part.makeSphere(5), 2.5), (chamfered_box, 8.0)],
                          ids=["ball", "chamfered box"])
-def test_a_solid_that_is_no_sweep(doc, make, size):
+@pytest.mark.parametrize("surface_method,method", [("auto", "auto"), ("subdivided", "cells")])
+def test_a_solid_that_is_no_sweep(doc, make, size, surface_method, method):
     shape = make()
     solid = doc.addObject("Part::Feature", "Solid")
     solid.Shape = shape
-    mesh = hexcon.mesh_solid(shape, size)
+    mesh = hexcon.mesh_solid(shape, size, surface_method=surface_method, method=method)
     print(f"{mesh} of {len(mesh.quads)} quads")
-    assert mesh.method == "cells" and mesh.certificate.certified
+    assert mesh.certificate.certified
+    assert mesh.method == method or (method == "auto" and len(mesh.hexes) < 4 * len(mesh.quads))
     assert np.array_equal(mesh.points[:len(mesh.surface.points)], mesh.surface.points)
     mesh_object = femmesh.add_to_document(doc, mesh, solid)
     assert mesh_object.FemMesh.HexaCount == len(mesh.hexes) == mesh_object.FemMesh.VolumeCount
