@@ -229,9 +229,8 @@ def test_inward_quads():
     assert mesh_checker.faults(mesh.points, mesh.hexes, mesh.quads, points) == []
 
 
-def test_auto_takes_cells_where_there_is_no_sweep():
-    points, quads = PAPERS["quadrilateral_octahedron"]
-    assert hn.mesh(points, quads).method == "cells"
+def test_layers_make_auto_take_cells():
+    """Only cells lays boundary layers; without them auto sweeps a box."""
     assert hn.mesh(*BOX).method == "swept"
     assert hn.mesh(*BOX, layers=1).method == "cells"
 

@@ -82,7 +82,7 @@ def test_wrong_type_of_points(points):
     assert code_of(hn.quality, points, MESH.hexes) == Code.WRONG_TYPE
 
 
-@pytest.mark.parametrize("ids", [None, "quads", {"a": 1}, object(), 3.5], ids=str)
+@pytest.mark.parametrize("ids", [None, "quads", {"a": 1}, object(), 3.5], ids=lambda ids: type(ids).__name__)
 def test_no_array_at_all(ids):
     wrong = (Code.WRONG_TYPE, Code.WRONG_SHAPE)
     assert code_of(hn.mesh, POINTS, ids) in wrong

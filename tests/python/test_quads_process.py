@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """hexcon.quads from CAD files in plain Python: the subprocess, its limits and its faults. No FreeCAD."""
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -96,6 +97,7 @@ def test_progress_and_cancel(ball, temporary):
 
 def test_interrupt_ends_the_subprocess(ball, temporary):
     """KeyboardInterrupt comes out, and no process stays."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)   # a background job's shell has it ignored
     started = []
     original = subprocess.Popen
 
@@ -109,10 +111,11 @@ def test_interrupt_ends_the_subprocess(ball, temporary):
         timer = threading.Timer(0.2, lambda: os.kill(os.getpid(), 2))
         timer.start()
         with pytest.raises(KeyboardInterrupt):
-            surface_from_solid(ball, 0.02)
+            surface_from_solid(ball, 0.02, "blossom")
     finally:
         subprocess.Popen = original
         timer.join()
+        signal.signal(signal.SIGINT, before)
     assert started and all(process.poll() is not None for process in started)
 
 
