@@ -48,7 +48,7 @@ native-test:
 
 python-test:
 	@echo "HexCon: testing with $(python) and $$(command -v $(FREECADCMD))"
-	PYTHONPATH=.:workbench $(python) -m pytest -q -p no:cacheprovider tests
+	PYTHONPATH=.:workbench $(python) -m pytest -q -p no:cacheprovider -n 2 tests
 
 bench: setup-run build
 	ninja -C $(build) --quiet hexcon_bench
