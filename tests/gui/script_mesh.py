@@ -4,9 +4,10 @@ import os
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore, QtGui
+from PySide import QtGui
 from session import (OUT, button, called_topological, close_panel, find, gmsh_runs, held_at,
-                     is_idle, mesh, open_panel, picture, run, say, select, settle, wait, words)
+                     is_idle, mesh, open_panel, picture, run, say, select, settle, start_macro, stop_macro,
+                     wait, words)
 
 state = {}
 
@@ -21,7 +22,7 @@ def workbench_has_its_commands():
     FreeCADGui.activateWorkbench("HexConWorkbench")
     assert FreeCADGui.activeWorkbench().name() == "HexConWorkbench"
     bars = FreeCADGui.getMainWindow().findChildren(QtGui.QToolBar, "HexCon")
-    assert len(bars) == 1 and len(bars[0].actions()) == 2
+    assert len(bars) == 1 and len(bars[0].actions()) == 4
     assert all(not action.icon().isNull() for action in bars[0].actions())
     assert not FreeCADGui.getMainWindow().findChild(QtGui.QMessageBox, "HexConMissingCore")
     workbench = FreeCADGui.listWorkbenches()["HexConWorkbench"]
@@ -74,21 +75,6 @@ def box_becomes_a_mesh():
                      "min 1.000, 5 % 1.000, mean 1.000", "certified: every Jacobian"):
         assert expected in words(), expected
     close_panel()
-
-
-def start_macro(name="recorded"):
-    """Through the recorder's dialog, which has no call of its own."""
-    def press():
-        dialog = wait(QtGui.QApplication.activeModalWidget, "the macro recorder's dialog")
-        dialog.findChild(QtGui.QLineEdit, "lineEditMacroPath").setText(os.path.join(OUT, ""))
-        dialog.findChild(QtGui.QLineEdit, "lineEditPath").setText(name)
-        dialog.findChild(QtGui.QPushButton, "buttonStart").click()
-    QtCore.QTimer.singleShot(0, press)
-    FreeCADGui.runCommand("Std_DlgMacroRecord")
-
-
-def stop_macro():
-    FreeCADGui.runCommand("Std_MacroStopRecord")
 
 
 def undo_removes_it():

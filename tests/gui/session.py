@@ -79,6 +79,21 @@ def close_panel():
     wait(lambda: not FreeCADGui.Control.activeDialog(), "the panel to close")
 
 
+def start_macro(name="recorded"):
+    """Through the recorder's dialog, which has no call of its own."""
+    def press():
+        dialog = wait(QtGui.QApplication.activeModalWidget, "the macro recorder's dialog")
+        dialog.findChild(QtGui.QLineEdit, "lineEditMacroPath").setText(os.path.join(OUT, ""))
+        dialog.findChild(QtGui.QLineEdit, "lineEditPath").setText(name)
+        dialog.findChild(QtGui.QPushButton, "buttonStart").click()
+    QtCore.QTimer.singleShot(0, press)
+    FreeCADGui.runCommand("Std_DlgMacroRecord")
+
+
+def stop_macro():
+    FreeCADGui.runCommand("Std_MacroStopRecord")
+
+
 def is_idle():
     return button("mesh").isEnabled() and words()
 

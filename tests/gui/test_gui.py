@@ -88,6 +88,10 @@ def test_session_with_the_addon_linked_into_mod(tmp_path, home):
     window("script_mesh.py", tmp_path, home)
 
 
+def test_looking_inside_and_at_dual_loops(tmp_path, home):
+    window("script_inside.py", tmp_path, home, "-M", str(ROOT))
+
+
 def bare_addon(folder):
     """The addon as it is before `make build`."""
     native = folder / "hexcon_native"

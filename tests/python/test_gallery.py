@@ -16,7 +16,8 @@ import hexcon_native as hn  # noqa: E402
 from hexcon import cli  # noqa: E402
 from hexcon.errors import FaultCode, HexconError, ToolError  # noqa: E402
 from hexcon.femmesh import elements_of  # noqa: E402
-from hexcon.pictures import gallery  # noqa: E402
+from hexcon.pictures import gallery, palette  # noqa: E402
+from hexcon.quads.surface import edge_partners  # noqa: E402
 
 NAMES = ("paired transition", "split layer 1", "split layer 2", "closure")
 
@@ -81,26 +82,26 @@ def test_names_sizes_and_white_borders(drawn):
 
 def test_loops_and_crossings_are_seen(drawn):
     for panel in panels(drawn["1-surface"]):
-        assert share(panel, gallery.LOOP_COLOURS[0]) > 0.005 and share(panel, gallery.LOOP_COLOURS[1]) > 0.002
-        assert share(panel, gallery.LOOP_COLOURS[2]) == 0
+        assert share(panel, palette.LOOP_COLOURS[0]) > 0.005 and share(panel, palette.LOOP_COLOURS[1]) > 0.002
+        assert share(panel, palette.LOOP_COLOURS[2]) == 0
         assert (panel.max(axis=2) < 0.12).sum() > 50    # dots; edges of quads are not so dark
     legend = drawn["1-surface"][-36:]
-    assert share(legend, gallery.LOOP_COLOURS[0]) > 0.005 and share(legend, gallery.LOOP_COLOURS[1]) > 0.005
+    assert share(legend, palette.LOOP_COLOURS[0]) > 0.005 and share(legend, palette.LOOP_COLOURS[1]) > 0.005
 
 
 def test_pairs_are_seen(drawn):
     """Eight pairs, eight colours: each on one side at least."""
-    shares = np.array([[share(panel, colour) for colour in gallery.PAIR_COLOURS[:8]]
+    shares = np.array([[share(panel, colour) for colour in palette.PAIR_COLOURS[:8]]
                        for panel in panels(drawn["2-pairs"])])
     assert (shares.max(axis=0) > 0.005).all()
 
 
 def test_stages_are_seen_each_in_its_colour(drawn):
     for k, panel in enumerate(panels(drawn["3-stages"], rows=2)):
-        shares = [share(panel, colour) for colour in gallery.STAGE_COLOURS[:4]]
+        shares = [share(panel, colour) for colour in palette.STAGE_COLOURS[:4]]
         assert shares[k] > 0.005 and sum(shares) == shares[k]
     for k, name in enumerate(("4-paired-transition", "5-split-layer-1", "6-split-layer-2", "7-closure")):
-        whole, opened = (share(panel, gallery.STAGE_COLOURS[k]) for panel in panels(drawn[name]))
+        whole, opened = (share(panel, palette.STAGE_COLOURS[k]) for panel in panels(drawn[name]))
         assert whole > opened > 0.05
 
 
@@ -113,8 +114,8 @@ def test_inner_hexes_show_in_their_stage(tmp_path):
     paths = gallery.stages(surface, mesh, tmp_path)
     assert [pathlib.Path(path).name for path in paths[2:]] == ["3-stages.png", "4-split-layer-1.png", "5-closure.png"]
     image = pixels(paths[4])
-    assert share(image, gallery.STAGE_COLOURS[1]) > 0.2 and share(image, gallery.STAGE_COLOURS[0]) == 0
-    assert all(share(panel, colour) > 0.02 for panel, colour in zip(panels(pixels(paths[2])), gallery.STAGE_COLOURS))
+    assert share(image, palette.STAGE_COLOURS[1]) > 0.2 and share(image, palette.STAGE_COLOURS[0]) == 0
+    assert all(share(panel, colour) > 0.02 for panel, colour in zip(panels(pixels(paths[2])), palette.STAGE_COLOURS))
 
 
 @pytest.mark.parametrize("order", [1, 2])
@@ -124,7 +125,7 @@ def test_a_mesh_without_stages_is_one(tmp_path, order):
     mesh.report = {"hexes": 8, "hexes per quad": 1 / 3}
     paths = gallery.stages(surface, mesh, tmp_path)
     assert [pathlib.Path(path).name for path in paths] == ["1-surface.png", "2-pairs.png", "3-all-hexes.png"]
-    assert share(pixels(paths[2]), gallery.STAGE_COLOURS[0]) > 0.1
+    assert share(pixels(paths[2]), palette.STAGE_COLOURS[0]) > 0.1
     assert (panels(pixels(paths[0]))[0].max(axis=2) < 0.12).sum() == 0  # no loop crosses itself
 
 
@@ -155,7 +156,7 @@ def test_a_pair_has_one_colour_and_its_neighbours_have_others(jobs, tmp_path):
     pairs, colours = hn.pairing(surface.quads, surface.points), jobs["2-pairs"]["0 face_colours"]
     pair_of = np.zeros(len(surface.quads), int)
     pair_of[pairs] = np.arange(len(pairs))[:, None]
-    for one, two in zip(np.arange(4 * len(pair_of)) // 4, gallery.edge_partners(surface.quads) // 4):
+    for one, two in zip(np.arange(4 * len(pair_of)) // 4, edge_partners(surface.quads) // 4):
         assert (pair_of[one] == pair_of[two]) == np.array_equal(colours[one], colours[two])
     bars = jobs["2-pairs"]["0 tube_points"].reshape(-1, 3, 3)
     assert np.allclose(bars[:, 0], surface.points[surface.quads[pairs[:, 0]]].mean(axis=1))

@@ -7,7 +7,7 @@ from hexcon.errors import FaultCode, ToolError
 from .hexahedron import FACES
 
 
-def _keys(quads, n_points):
+def face_keys(quads, n_points):
     """(n,2) int64: equal for quads of the same four corners, whatever their sequence."""
     s = np.sort(quads.astype(np.int64), axis=1)
     return np.column_stack([s[:, 0] * n_points + s[:, 1], s[:, 2] * n_points + s[:, 3]])
@@ -21,7 +21,7 @@ def boundary_quads(hexes, n_points):
     """
     if not len(hexes):
         return np.zeros(0, np.int64), np.zeros(0, np.int64)
-    keys = _keys(hexes[:, FACES].reshape(-1, 4), n_points)
+    keys = face_keys(hexes[:, FACES].reshape(-1, 4), n_points)
     order = np.lexsort((keys[:, 1], keys[:, 0]))
     changes = np.any(np.diff(keys[order], axis=0) != 0, axis=1)
     first = np.concatenate([[True], changes])
@@ -42,7 +42,7 @@ def owners(hexes, quads, n_points):
     candidates = on_boundary[hexes[:, :8]][:, FACES].all(axis=2)
     hex_ids, sides = np.nonzero(candidates)
     faces = hexes[hex_ids[:, None], FACES[sides]]
-    keys = np.vstack([_keys(faces, n_points), _keys(quads, n_points)])
+    keys = np.vstack([face_keys(faces, n_points), face_keys(quads, n_points)])
     _, key_ids = np.unique(keys, axis=0, return_inverse=True)
     key_ids = key_ids.reshape(-1)
     face_of_key = np.full(key_ids.max(initial=-1) + 1, -1, np.int64)

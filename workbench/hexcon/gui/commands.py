@@ -94,6 +94,14 @@ def selected_hex_mesh():
     return found if found.FemMesh.HexaCount else None
 
 
+def selected_quads():
+    """The one selected FEM mesh object that has quads, if only on the outside of its hexes, or None."""
+    found, _ = _selected()
+    if found is None or not found.isDerivedFrom("Fem::FemMeshObject"):
+        return None
+    return found if found.FemMesh.QuadrangleCount or found.FemMesh.HexaCount else None
+
+
 # --------------------------------------------------------------------------------------- commands
 
 class _Command:
@@ -147,9 +155,41 @@ class Check(_Command):
         return CheckPanel(mesh_object)
 
 
+class Inspect(_Command):
+    """Opens the selected mesh, coloured by the quality of its hexes."""
+
+    name = "HexCon_Inspect"
+    menu_text = QT_TRANSLATE_NOOP("HexCon_Inspect", "Inspect hex mesh")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "HexCon_Inspect", "Look into the selected FEM mesh: cut it, peel layers off, see the scaled "
+        "Jacobians and the worst hexahedra")
+    icon = "HexCon_Inspect.svg"
+    selected = staticmethod(selected_hex_mesh)
+
+    def panel(self, mesh_object):
+        from hexcon.gui.inspect_panel import InspectPanel
+        return InspectPanel(mesh_object)
+
+
+class Loops(_Command):
+    """Draws the dual loops of the selected mesh's surface."""
+
+    name = "HexCon_Loops"
+    menu_text = QT_TRANSLATE_NOOP("HexCon_Loops", "Show dual loops")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "HexCon_Loops", "Draw the dual loops of the selected quad surface, or of the boundary of the "
+        "selected hex mesh, and where they cross themselves")
+    icon = "HexCon_Loops.svg"
+    selected = staticmethod(selected_quads)
+
+    def panel(self, mesh_object):
+        from hexcon.gui.loops_panel import LoopsPanel
+        return LoopsPanel(mesh_object)
+
+
 def register():
     """Make the commands known to FreeCAD; returns their names."""
-    commands = (MeshSolid(), Check())
+    commands = (MeshSolid(), Check(), Inspect(), Loops())
     # FreeCAD takes the file that calls addCommand for a module, and writes "import <its name>"
     # into every macro that runs the command: "import commands" would be there for nobody
     add = compile("add(command.name, command)", os.path.join(ROOT, "workbench", "hexcon"), "exec")

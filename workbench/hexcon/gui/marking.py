@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Hexes shown in red in the 3D view."""
+import numpy as np
 from pivy import coin
 
 from hexcon.femmesh.hexahedron import EDGES
+
+from .scene import edges_on_top, in_object_space
 
 RED = (0.9, 0.1, 0.1)
 NODE = "HexConMarked"
@@ -21,7 +24,7 @@ def mark(mesh_object, elements):
     for child in old:
         root.removeChild(child)
     if elements:
-        root.addChild(_edges(mesh_object.FemMesh, elements))
+        root.addChild(_edges(mesh_object, elements))
 
 
 def _colours(mesh_object, elements):
@@ -31,25 +34,15 @@ def _colours(mesh_object, elements):
     return colours
 
 
-def _edges(femmesh, elements):
-    """A node with the edges of the elements; SoAnnotation is drawn last and hidden by nothing."""
-    places, lines = [], []
-    for element in elements:
-        first = len(places)
-        # FreeCAD's order of corners mirrors VTK's, which keeps the edges
-        places += [tuple(femmesh.getNodeById(n)) for n in femmesh.getElementNodes(element)[:8]]
-        for a, b in EDGES.tolist():
-            lines += [first + a, first + b, -1]
-    node, colour, style = coin.SoAnnotation(), coin.SoBaseColor(), coin.SoDrawStyle()
-    points, edges, light = coin.SoCoordinate3(), coin.SoIndexedLineSet(), coin.SoLightModel()
-    binding = coin.SoMaterialBinding()
+def _edges(mesh_object, elements):
+    """A node with the edges of the elements, seen through everything."""
+    femmesh = mesh_object.FemMesh
+    # FreeCAD's order of corners mirrors VTK's, which keeps the edges
+    places = [tuple(femmesh.getNodeById(n)) for element in elements
+              for n in femmesh.getElementNodes(element)[:8]]
+    edges = (8 * np.arange(len(elements))[:, None, None] + EDGES).reshape(-1, 2)
+    node = coin.SoSeparator()
     node.setName(NODE)
-    light.model = coin.SoLightModel.BASE_COLOR
-    binding.value = coin.SoMaterialBinding.OVERALL  # the mesh before it has a colour a face
-    colour.rgb = RED
-    style.lineWidth = LINE_WIDTH
-    points.point.setValues(0, len(places), places)
-    edges.coordIndex.setValues(0, len(lines), lines)
-    for child in (light, binding, colour, style, points, edges):
-        node.addChild(child)
+    node.addChild(in_object_space(mesh_object))
+    node.addChild(edges_on_top(np.array(places), edges, RED, LINE_WIDTH))
     return node

@@ -128,6 +128,31 @@ def of_check(report):
     return rows
 
 
+def of_opening(mesh, kept, faces):
+    """Rows for an InspectedMesh of which kept (H,) hexes are left and so many faces drawn."""
+    return [(translate("HexCon", "Shown"), translate("HexCon", "{kept} of {all} hexes, {faces} faces").format(
+                kept=count(kept.sum()), all=count(len(kept)), faces=count(faces))),
+            (translate("HexCon", "Layers"), translate("HexCon", "{count} from the boundary to the core").format(
+                count=count(mesh.thickness))),
+            (translate("HexCon", "Scaled Jacobian"), _quality(mesh.quality))]
+
+
+def of_loops(looped):
+    """Rows for a LoopedSurface."""
+    facts, crossing = looped.facts, sum(len(loop.crossings) > 0 for loop in looped.loops)
+    even = translate("HexCon", "even: hexes can fill it") if facts.even else translate(
+        "HexCon", "ODD: no hex mesh has such a boundary")
+    return [(translate("HexCon", "Surface"), translate("HexCon", "{quads} quads, {even}").format(
+                quads=count(facts.n), even=even)),
+            (translate("HexCon", "Dual loops"), translate("HexCon", "{count}; crossing themselves: {crossing}")
+                .format(count=count(len(looped.loops)), crossing=count(crossing)))]
+
+
+def times(number):
+    """How often something happens, in a table."""
+    return translate("HexCon", "{count} times").format(count=count(number)) if number else "\u2013"
+
+
 def _listed(ids):
     listed = ", ".join(str(i) for i in ids[:MOST_LISTED])
     if len(ids) > MOST_LISTED:

@@ -13,6 +13,7 @@ import hexcon_native
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.elements import elements_of
 from hexcon.files import replace_file
+from hexcon.inspection.cutting import behind_plane, centres_of
 
 _FOLDER = os.path.dirname(os.path.abspath(__file__))
 
@@ -86,7 +87,6 @@ def kept(points, hexes, cut):
     """(H,) bool: hexahedra that stay when the mesh is cut open; cut as of render."""
     if cut is None:
         return np.ones(len(hexes), bool)
-    centres = points[hexes].mean(axis=1)
     if isinstance(cut, str):
         if cut != "auto":
             raise ToolError(f"cut {cut!r}: \"auto\", None or (point, normal) is possible",
@@ -96,7 +96,7 @@ def kept(points, hexes, cut):
         point, normal = 0.5 * (low + high), np.array([0.0, -1.0, 0.0])
     else:
         point, normal = (np.asarray(v, float) for v in cut)
-    keep = (centres - point) @ normal <= 1e-9 * np.ptp(points, axis=0).max()
+    keep = behind_plane(centres_of(points, hexes), point, normal)
     return keep if keep.any() else np.ones(len(hexes), bool)
 
 

@@ -11,10 +11,12 @@ import numpy as np
 import hexcon_native
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.hexahedron import FACES
-from hexcon.quads.figures import loop_edges
-from hexcon.quads.surface import edge_partners, edges_of
+from hexcon.inspection.dual_loops import centres_of, dual_loops
+from hexcon.inspection.pairs import bars_of_pairs, colours_of_pairs
+from hexcon.quads.surface import edges_of
 
 from . import draw, kept
+from .palette import DARK, PLAIN, STAGE_COLOURS, loop_colours
 
 SIZE = np.array([1000, 640])                  # pixels of a picture with one row of panels
 ROW = 340                                     # more for every other row
@@ -24,17 +26,6 @@ TOWARDS = FRONT * (1, 1, 0)                   # normal of the cut, the half befo
 SHRINK = 0.82                                 # hexes towards their centres, so that each is seen for itself
 
 
-def _colours(*words):
-    return np.array([[int(word[k:k + 2], 16) for k in (0, 2, 4)] for word in words]) / 255
-
-
-# Okabe and Ito's colours: told apart without full colour vision, too. First those of the stages.
-STAGE_COLOURS = _colours("E69F00", "56B4E9", "009E73", "CC79A7", "D55E00", "0072B2", "F0E442")
-LOOP_COLOURS = _colours("0072B2", "D55E00", "009E73", "CC79A7", "E69F00", "56B4E9")
-PAIR_COLOURS = _colours("8DD3C7", "FFFFB3", "BEBADA", "FB8072", "80B1D3", "FDB462", "B3DE69", "FCCDE5",
-                            "BC80BD", "CCEBC5", "FFED6F", "D9D9D9")
-PLAIN = np.array([0.93, 0.93, 0.91])          # a quad that means nothing in itself
-DARK = np.array([0.10, 0.11, 0.13])           # marks
 _STAGE = re.compile(r"hexes of (.+)")
 
 __all__ = ["stages", "stages_of"]
@@ -84,24 +75,16 @@ def stages_of(mesh):
 
 def _loops_job(surface, name):
     """The dual loops through the middles of edges; where one crosses itself, a dot."""
-    loops = loop_edges(surface.quads)
-    crossings = [_passed_twice(loop) for loop in loops]
-    colours = LOOP_COLOURS[np.arange(len(loops)) % len(LOOP_COLOURS)]
-    middles = surface.points[edges_of(surface.quads)].mean(axis=1)
-    dots = surface.points[surface.quads[np.concatenate(crossings)]].mean(axis=1)
+    loops = dual_loops(surface.points, surface.quads)
+    colours = loop_colours(len(loops))
+    dots = centres_of(surface.points, surface.quads[np.concatenate([loop.crossings for loop in loops])])
     drawn = {**_faces(surface.points, surface.quads, np.tile(PLAIN, (len(surface.quads), 1))),
-             **_tubes([middles[np.append(loop, loop[0])] for loop in loops], colours),
+             **_tubes([loop.curve for loop in loops], colours),
              "ball_points": dots, "ball_colours": np.tile(DARK, (len(dots), 1))}
-    legend = [f"loop of length {len(loop)}{_crossing_words(twice)}" for loop, twice in zip(loops, crossings)]
+    legend = [f"loop of length {len(loop)}{_crossing_words(loop.crossings)}" for loop in loops]
     return _job(f"{name}: {len(surface.quads)} quads, {_count(len(loops), 'dual loop')}",
                 "Each loop passes quads from edge to opposite edge. Dark dots: a loop crosses itself.",
                 _both_sides(surface.points, drawn), 2, *_legend(legend, colours))
-
-
-def _passed_twice(loop):
-    """Quads that a loop, given by its edges, passes twice."""
-    quads, passes = np.unique(loop // 4, return_counts=True)
-    return quads[passes > 1]
 
 
 def _crossing_words(twice):
@@ -118,35 +101,14 @@ def _legend(words, colours, most=6):
 def _pairs_job(surface, name):
     """Each pair of quads in one colour, with a bar from quad to quad across their edge."""
     points, quads = surface.points, surface.quads
-    pairs = hexcon_native.pairing(quads, points).astype(np.int64)
-    pair_of = np.empty(len(quads), np.int64)
-    pair_of[pairs] = np.arange(len(pairs))[:, None]
-    centres, middles = points[quads].mean(axis=1), points[edges_of(quads)].mean(axis=1)
-    other = edge_partners(quads) // 4
-    bars = []
-    for one, two in pairs.tolist():
-        across = 4 * one + int(np.argmax(other[4 * one:4 * one + 4] == two))
-        bars.append(np.array([centres[one], middles[across], centres[two]]))
-    drawn = {**_faces(points, quads, _told_apart(pair_of, other)[pair_of]),
+    pairs, centres = hexcon_native.pairing(quads, points), centres_of(points, quads)
+    bars = bars_of_pairs(points, quads, pairs)
+    drawn = {**_faces(points, quads, colours_of_pairs(quads, pairs)),
              **_tubes(bars, np.tile(DARK, (len(bars), 1))),
              "ball_points": centres, "ball_colours": np.tile(DARK, (len(quads), 1))}
     return _job(f"{name}: {len(pairs)} pairs of quads",
                 "Every quad has one neighbour as its partner: the paired partition.",
                 _both_sides(points, drawn), 2)
-
-
-def _told_apart(pair_of, other):
-    """(pairs, 3) colours: no two pairs that share an edge have the same, as far as the palette goes."""
-    neighbours = [set() for _ in range(int(pair_of.max()) + 1)]
-    for one, two in zip(pair_of.repeat(4).tolist(), pair_of[other].tolist()):
-        if one != two:
-            neighbours[one].add(two)
-    chosen, used = {}, [0] * len(PAIR_COLOURS)
-    for pair, around in enumerate(neighbours):
-        taken = {chosen.get(near) for near in around}
-        chosen[pair] = min(range(len(used)), key=lambda colour: (colour in taken, used[colour], colour))
-        used[chosen[pair]] += 1
-    return PAIR_COLOURS[[chosen[pair] for pair in range(len(neighbours))]]
 
 
 def _both_sides(points, drawn):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws one picture of the gallery: python3 gallery_scene.py ARRAYS.npz PICTURE.png
 
-A program of its own, started by hexcon.pictures; it imports nothing of HexCon but scene.py beside it. It decides
+A program of its own, started by hexcon.pictures; it imports nothing of HexCon but what lies beside it. It decides
 nothing: gallery.py says what is where, in which colour. Arrays, k = 0, 1 ... being a panel:
 
 size (2,) pixels; columns; title, subtitle; legend (L,) str and legend_colours (L,3)

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws one prepared scene: python3 scene.py ARRAYS.npz PICTURE.png
 
-A program of its own, started by hexcon.pictures; it imports nothing of HexCon.
+A program of its own, started by hexcon.pictures; it imports nothing of HexCon but palette.py beside it.
 """
 import sys
 
 import numpy as np
+from palette import INVERTED, QUALITY
 from vtkmodules import (vtkInteractionStyle, vtkRenderingContextOpenGL2,  # noqa: F401
                         vtkRenderingFreeType, vtkRenderingOpenGL2)
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
@@ -25,10 +26,6 @@ EDGE = (0.16, 0.18, 0.22)
 # Viridis, seven stops: even in lightness, readable without colour vision
 VIRIDIS = np.array([(68, 1, 84), (70, 50, 127), (54, 92, 141), (39, 127, 142),
                     (31, 161, 135), (74, 194, 109), (159, 218, 58), (253, 231, 37)]) / 255
-# 0 to 1: low quality warm, good quality cool; below 0 (inverted) one colour of its own
-QUALITY = np.array([(165, 0, 38), (222, 63, 46), (248, 142, 82), (254, 212, 133),
-                    (246, 246, 200), (183, 221, 216), (116, 173, 209), (69, 117, 180)]) / 255
-INVERTED = np.array([(80, 0, 90)]) / 255
 VIEW = np.array([-0.42, -1.0, 0.52])  # from the solid to the viewer
 FREE = (0.17, 0.85)  # of the height: between the scalar bar and the captions
 

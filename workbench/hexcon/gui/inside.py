@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The inside of a hex mesh in the 3D view: whole hexes, coloured by scaled Jacobian."""
+from hexcon.femmesh.hexahedron import EDGES
+from hexcon.freecad_compat import solid_of_mesh_object
+from hexcon.inspection.faces import edges_of_quads
+from hexcon.inspection.opening import Opening
+from hexcon.pictures.palette import quality_colours
+
+from .scene import Drawing, Drawings, Faces, edges_on_top, look_at
+
+CHOSEN = (1.0, 0.0, 0.75)  # no scaled Jacobian's colour
+CHOSEN_WIDTH = 4
+
+drawings = Drawings()
+
+
+class Inside(Drawing):
+    """The drawing of one opened mesh.
+
+    mesh        the InspectedMesh
+    opening     the Opening that is seen;  kept (H,) bool: the hexes it leaves
+    element     the number of the hex that is outlined, or None
+    """
+
+    def __init__(self, mesh_object, mesh):
+        solid = solid_of_mesh_object(mesh_object)
+        super().__init__(mesh_object, [solid] if solid is not None else [])
+        self.mesh = mesh
+        self._colours = quality_colours(mesh.scaled_jacobian)
+        self.faces = Faces()
+        self.add(self.faces.node)
+        self._outline = self.element = None
+        self.open(Opening())
+
+    def open(self, opening):
+        """See the mesh opened so."""
+        self.kept = opening.keep(self.mesh)
+        points, quads, hex_of_quad = opening.drawn(self.mesh, self.kept)
+        self.faces.show(points, quads, self._colours[hex_of_quad], edges_of_quads(quads, len(points)))
+        self.opening = opening
+
+    def choose(self, element):
+        """Outline the hex with this number over everything else; None: no hex."""
+        row = None if element is None else self.mesh.row_of(element)
+        outline = None if row is None else edges_on_top(self.mesh.points[self.mesh.hexes[row]], EDGES,
+                                                        CHOSEN, CHOSEN_WIDTH)
+        self._outline = self.instead(self._outline, outline)
+        self.element = element
+
+    def zoom(self, element):
+        """Move the camera to the hex with this number."""
+        row = self.mesh.row_of(element)
+        look_at(self.mesh_object.Document, self.mesh.points[self.mesh.hexes[row]])
+
+
+def show(mesh_object, mesh, opening, element=None):
+    """Draw the mesh of an object, an InspectedMesh, opened so, and outline a hex; returns the Inside."""
+    # may raise: before the view is touched
+    opening.keep(mesh)
+    if element is not None:
+        mesh.row_of(element)
+    drawing = drawings.find(mesh_object) or drawings.put(mesh_object, lambda: Inside(mesh_object, mesh))
+    drawing.open(opening)
+    drawing.choose(element)
+    return drawing

@@ -1,0 +1,287 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Drawings of our own in place of a FEM mesh object's, by Coin.
+
+They hang in the scene graph of the object's view provider, and FreeCAD's own display is switched off there: the
+document, and with it what is saved and undone, knows nothing of them.
+"""
+import FreeCAD
+import FreeCADGui
+import numpy as np
+from pivy import coin
+
+NODE = "HexConDrawing"
+EDGE_COLOUR = (0.16, 0.18, 0.22)
+NO_CHILD = coin.SO_SWITCH_NONE
+_BACK = 1.0  # polygon offset: faces step back behind the lines that lie on them
+SHADE = np.array([0.74, 0.87, 1.0])  # brightness of faces across x, y, z
+
+
+def in_object_space(mesh_object):
+    """A node that takes points as FemMesh.Nodes gives them, in the document's space, into the object's own,
+    which its view provider moves back by the Placement."""
+    node = coin.SoMatrixTransform()
+    matrix = mesh_object.Placement.inverse().toMatrix()
+    columns = np.array(matrix.A).reshape(4, 4).T
+    node.matrix = coin.SbMatrix(*columns.ravel().tolist())
+    return node
+
+
+class Drawing:
+    """A separator in the view of a mesh object; its own display, and that of others, off meanwhile.
+
+    instead_of  more objects that are not to be seen, as the solid that covers its mesh
+    """
+
+    def __init__(self, mesh_object, instead_of=()):
+        self.mesh_object = mesh_object
+        self.root = coin.SoSeparator()
+        self.root.setName(NODE)
+        style = coin.SoPickStyle()
+        style.style = coin.SoPickStyle.UNPICKABLE  # FreeCAD would look for our faces among its own
+        self.root.addChild(style)
+        self.root.addChild(in_object_space(mesh_object))
+        mesh_object.ViewObject.RootNode.addChild(self.root)
+        self._switched = [(thing, _switch_off(thing)) for thing in (mesh_object, *instead_of)]
+
+    def add(self, node):
+        self.root.addChild(node)
+        return node
+
+    def instead(self, old, new):
+        """Draw a new node, or None, where an old one, or None, was; the new one."""
+        if old is not None:
+            self.root.removeChild(old)
+        return None if new is None else self.add(new)
+
+    def remove(self):
+        """The view as it was. Objects that are gone took theirs with them."""
+        for thing, shown in self._switched:
+            view = _view_of(thing)
+            if view and view.Visibility and view.SwitchNode.whichChild.getValue() == NO_CHILD:
+                view.SwitchNode.whichChild = shown
+        self._switched = []
+        view = _view_of(self.mesh_object)
+        if view and view.RootNode.findChild(self.root) >= 0:
+            view.RootNode.removeChild(self.root)
+
+
+def _view_of(thing):
+    """The view provider, or None of an object that is gone."""
+    try:
+        return thing.ViewObject
+    except (ReferenceError, NameError):  # FreeCAD's words for objects and for documents
+        return None
+
+
+def _switch_off(thing):
+    """Hide without the property Visibility, which would be saved; what the switch showed."""
+    switch = thing.ViewObject.SwitchNode
+    shown = switch.whichChild.getValue()
+    switch.whichChild = NO_CHILD
+    return shown
+
+
+def _set(field, values, kind):
+    """A multiple-value field holding exactly these values."""
+    values = np.ascontiguousarray(values, kind)
+    field.setNum(len(values))
+    if len(values):
+        field.setValues(0, len(values), values)
+
+
+def _indices(cells):
+    """Rows of equal length, each closed by -1, one after the other."""
+    return np.column_stack([cells, np.full(len(cells), -1)]).ravel()
+
+
+class Faces:
+    """Quads, each in one colour, with their edges; node is what to draw."""
+
+    def __init__(self):
+        self._points, self._colours = coin.SoCoordinate3(), coin.SoMaterial()
+        self._faces, self._edges = coin.SoIndexedFaceSet(), coin.SoIndexedLineSet()
+        hints, light, binding, back = (coin.SoShapeHints(), coin.SoLightModel(), coin.SoMaterialBinding(),
+                                       coin.SoPolygonOffset())
+        hints.faceType = coin.SoShapeHints.CONVEX  # else Coin cuts every quad into triangles first
+        light.model = coin.SoLightModel.BASE_COLOR  # see _shaded
+        binding.value = coin.SoMaterialBinding.PER_FACE
+        back.factor = back.units = _BACK
+        self.node = _separator(hints, self._points,
+                               _separator(light, back, binding, self._colours, self._faces),
+                               _separator(*_plain_lines(EDGE_COLOUR, 1), self._edges))
+        self._of = None
+
+    def show(self, points, quads, colours, edges):
+        """points (p,3), quads (q,4), colours (q,3), edges (e,2)."""
+        if points is not self._of:  # while a mesh is cut only the faces change
+            _set(self._points.point, points, np.float32)
+            self._of = points
+        # never indices without their colours
+        self._faces.coordIndex.setNum(0)
+        _set(self._colours.diffuseColor, _shaded(points, quads, colours), np.float32)
+        _set(self._faces.coordIndex, _indices(quads), np.int32)
+        _set(self._edges.coordIndex, _indices(edges), np.int32)
+
+    @property
+    def count(self):
+        """How many quads are drawn."""
+        return self._faces.coordIndex.getNum() // 5
+
+
+def _shaded(points, quads, colours):
+    """The colours (q,3) darker by where the quads face, whatever the camera.
+
+    FreeCAD's one lamp, on the viewer's head, would leave slanted faces so dark that the legend says nothing, and
+    all sides of a box in the usual view alike.
+    """
+    normals = np.cross(points[quads[:, 2]] - points[quads[:, 0]], points[quads[:, 3]] - points[quads[:, 1]]) ** 2
+    sums = normals.sum(axis=1)
+    shade = np.divide(normals @ SHADE, sums, out=np.ones(len(quads)), where=sums > 0)
+    return colours * shade[:, None]
+
+
+def _filled(group, *children):
+    for child in children:
+        group.addChild(child)
+    return group
+
+
+def _separator(*children):
+    return _filled(coin.SoSeparator(), *children)
+
+
+def _places(points):
+    node = coin.SoCoordinate3()
+    _set(node.point, points, np.float32)
+    return node
+
+
+def _plain_lines(colour, width):
+    """Nodes before lines of one colour, whatever the light."""
+    light, binding, base, style = (coin.SoLightModel(), coin.SoMaterialBinding(), coin.SoBaseColor(),
+                                   coin.SoDrawStyle())
+    light.model = coin.SoLightModel.BASE_COLOR
+    binding.value = coin.SoMaterialBinding.OVERALL  # a mesh before it may have a colour a face
+    base.rgb = tuple(float(c) for c in colour)
+    style.lineWidth = width
+    return light, binding, base, style
+
+
+def polylines(lines, colours, width):
+    """A node with lines, each through its places (k,3), and a colour (n,3) for each."""
+    drawn, binding, material = coin.SoLineSet(), coin.SoMaterialBinding(), coin.SoMaterial()
+    binding.value = coin.SoMaterialBinding.PER_FACE  # of a line set: per line
+    _set(material.diffuseColor, colours, np.float32)
+    _set(drawn.numVertices, [len(line) for line in lines], np.int32)
+    places = np.concatenate(lines) if len(lines) else np.zeros((0, 3))
+    return _separator(*_plain_lines(EDGE_COLOUR, width), binding, material, _places(places), drawn)
+
+
+def balls(places, colour, radius):
+    """A node with a ball at each place (k,3)."""
+    material, copies, coarse, ball = (coin.SoMaterial(), coin.SoMultipleCopy(), coin.SoComplexity(),
+                                      coin.SoSphere())
+    material.diffuseColor = material.ambientColor = tuple(float(c) for c in colour)
+    coarse.value = 0.35
+    ball.radius = float(radius)
+    copies.matrix.setNum(len(places))
+    for row, place in enumerate(np.asarray(places, float).tolist()):
+        matrix = coin.SbMatrix()
+        matrix.setTranslate(coin.SbVec3f(*place))
+        copies.matrix.set1Value(row, matrix)
+    return _separator(material, coarse, _filled(copies, ball))
+
+
+def edges_on_top(points, edges, colour, width):
+    """A node with edges (e,2) between points (p,3), drawn last and hidden by nothing."""
+    lines = coin.SoIndexedLineSet()
+    _set(lines.coordIndex, _indices(edges), np.int32)
+    return _filled(coin.SoAnnotation(), *_plain_lines(colour, width), _places(points), lines)
+
+
+# ----------------------------------------------------------------------------------------- drawings
+
+class Drawings:
+    """One kind of drawing, at most one for each object; ends with its object or its mesh.
+
+    Drawings of other kinds of the same object go when one begins: two would hide each other.
+    """
+
+    _kinds = []
+
+    def __init__(self):
+        self._open = {}
+        self._kinds.append(self)
+
+    def find(self, mesh_object):
+        return self._open.get(_key(mesh_object))
+
+    def put(self, mesh_object, make):
+        """Let make() draw."""
+        for kind in self._kinds:
+            kind.remove(mesh_object)
+        drawing = make()
+        if not any(kind._open for kind in self._kinds):
+            FreeCAD.addDocumentObserver(_watcher)
+        self._open[_key(mesh_object)] = drawing
+        return drawing
+
+    def remove(self, mesh_object):
+        """True if there was one."""
+        return self.forget(_key(mesh_object))
+
+    def forget(self, key):
+        drawing = self._open.pop(key, None)
+        if drawing is None:
+            return False
+        drawing.remove()
+        if not any(kind._open for kind in self._kinds):
+            FreeCAD.removeDocumentObserver(_watcher)
+        return True
+
+
+def _key(thing):
+    return thing.Document.Name, thing.Name
+
+
+class _Watcher:
+    """FreeCAD's document observer while anything is drawn."""
+
+    def slotChangedObject(self, thing, name):
+        if name == "FemMesh":
+            self.slotDeletedObject(thing)
+
+    def slotDeletedObject(self, thing):
+        for kind in Drawings._kinds:
+            kind.forget(_key(thing))
+
+    def slotDeletedDocument(self, document):
+        for kind in Drawings._kinds:
+            for key in [key for key in kind._open if key[0] == document.Name]:
+                kind.forget(key)
+
+
+_watcher = _Watcher()
+
+
+# ------------------------------------------------------------------------------------------- camera
+
+def look_at(document, places, around=6.0):
+    """Move the camera, its direction kept, until the places (k,3) lie in the middle of the view.
+
+    around  what is seen, times the size of the places. Nothing where the active view is not a 3D one.
+    """
+    view = FreeCADGui.getDocument(document.Name).ActiveView
+    if not hasattr(view, "getCameraNode"):
+        return
+    camera = view.getCameraNode()
+    centre, radius = places.mean(axis=0), np.linalg.norm(np.ptp(places, axis=0)) / 2
+    height = 2 * around * (radius or 1.0)
+    ahead = camera.orientation.getValue().multVec(coin.SbVec3f(0, 0, -1))
+    if isinstance(camera, coin.SoPerspectiveCamera):
+        away = height / 2 / np.tan(camera.heightAngle.getValue() / 2)
+    else:
+        camera.height = height
+        away = camera.focalDistance.getValue()
+    camera.position = tuple(float(c) for c in centre - away * np.array(ahead.getValue()))
+    camera.focalDistance = float(away)

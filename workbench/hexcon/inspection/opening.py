@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A hex mesh to look into, and what is left to see of it when it is opened."""
+from dataclasses import dataclass
+
+import numpy as np
+
+import hexcon_native
+from hexcon.errors import FaultCode, ToolError
+from hexcon.femmesh.hexahedron import FACES
+
+from .cutting import AXES, behind_plane, centres_of
+from .faces import bare_faces, neighbours
+from .peeling import layers
+
+
+class InspectedMesh:
+    """What has to be known of a hex mesh before it can be opened any way.
+
+    points (P,3), hexes (H,8), hex_ids (H,) the elements' own numbers, quality hexcon_native.Quality,
+    centres (H,3), across (H,6) of faces.neighbours, layer (H,) of peeling.layers
+    """
+
+    def __init__(self, found):
+        """found  mesh-like: .points, .hexes (H,8|20) in VTK order, .hex_ids (else: rows)."""
+        self.points = np.ascontiguousarray(found.points, float)
+        self.hexes = np.ascontiguousarray(np.asarray(found.hexes)[:, :8], np.int64)
+        self.hex_ids = np.asarray(getattr(found, "hex_ids", np.arange(len(self.hexes))))
+        self.quality = hexcon_native.quality(self.points, self.hexes)
+        self.centres = centres_of(self.points, self.hexes)
+        self.across = neighbours(self.hexes, len(self.points))
+        self.layer = layers(self.hexes, self.across, len(self.points))
+
+    @property
+    def scaled_jacobian(self):
+        """(H,)"""
+        return self.quality.scaled_jacobian
+
+    @property
+    def thickness(self):
+        """The number of layers."""
+        return int(self.layer.max(initial=0))
+
+    def reach(self, axis):
+        """(lowest, highest) offset of a centre along the axis, mm: cuts between them divide the mesh."""
+        along = self.centres @ normal_of(axis)
+        return float(along.min()), float(along.max())
+
+    def row_of(self, element):
+        """The row of an element's number. Raises ToolError BAD_OPTION if there is none."""
+        rows = np.flatnonzero(self.hex_ids == element)
+        if not len(rows):
+            raise ToolError(f"the mesh has no hex number {element}", FaultCode.BAD_OPTION)
+        return int(rows[0])
+
+
+def normal_of(axis):
+    """(3,) unit vector of "x", "y", "z" or of a vector. Raises ToolError BAD_OPTION."""
+    try:
+        normal = np.array(AXES.get(axis) if isinstance(axis, str) else axis, float)
+        length = np.linalg.norm(normal)
+        if normal.shape == (3,) and 0 < length < np.inf:
+            return normal / length
+    except (TypeError, ValueError):
+        pass
+    raise ToolError(f"axis {axis!r}: \"x\", \"y\", \"z\" or a vector is possible", FaultCode.BAD_OPTION)
+
+
+@dataclass(frozen=True)
+class Opening:
+    """How a mesh is opened.
+
+    axis    None: no cut; "x", "y", "z" or a vector: normal of the cutting plane
+    offset  mm from the origin to the plane along the axis; None: the middle of the mesh. Hexes
+            whose centres lie further up the axis are taken away
+    flip    those further down are
+    peel    layers of hexes to take away, from the boundary inwards
+    shrink  0 to 0.9: each hex drawn smaller by this part, towards its centre, so that they stand apart
+    """
+
+    axis: object = None
+    offset: object = None
+    flip: bool = False
+    peel: int = 0
+    shrink: float = 0.0
+
+    def __post_init__(self):
+        if self.axis is not None:
+            normal_of(self.axis)
+        if self.offset is not None and not np.isfinite(self.offset):
+            raise ToolError(f"offset {self.offset!r}: a finite number of mm is needed", FaultCode.BAD_OPTION)
+        if not self.peel >= 0:
+            raise ToolError(f"peel {self.peel!r}: 0 layers or more are possible", FaultCode.BAD_OPTION)
+        if not 0.0 <= self.shrink <= 0.9:
+            raise ToolError(f"shrink {self.shrink!r}: 0 to 0.9 is possible", FaultCode.BAD_OPTION)
+
+    def keep(self, mesh):
+        """(H,) bool: the hexes of the InspectedMesh that stay, each whole."""
+        kept = mesh.layer > self.peel if self.peel else np.ones(len(mesh.hexes), bool)
+        if self.axis is not None:
+            normal = normal_of(self.axis)
+            offset = sum(mesh.reach(self.axis)) / 2 if self.offset is None else self.offset
+            kept &= behind_plane(mesh.centres, offset * normal, -normal if self.flip else normal)
+        return kept
+
+    def drawn(self, mesh, keep):
+        """(points (p,3), quads (q,4), hex_of_quad (q,)): the faces to draw of the kept hexes.
+
+        The bare ones; of hexes that stand apart every face of those with a bare face and of their
+        neighbours, as behind them no gap leads far.
+        """
+        rows, sides = bare_faces(mesh.across, keep)
+        if not self.shrink:
+            return mesh.points, mesh.hexes[rows[:, None], FACES[sides]], rows
+        near = mesh.across[np.unique(rows)]
+        seen = np.zeros(len(mesh.hexes), bool)
+        seen[rows] = True
+        seen[near[near >= 0]] = True
+        seen = np.flatnonzero(seen & keep)
+        corners = mesh.points[mesh.hexes[seen]]
+        corners += self.shrink * (mesh.centres[seen, None] - corners)
+        quads = (8 * np.arange(len(seen))[:, None, None] + FACES).reshape(-1, 4)
+        return corners.reshape(-1, 3), quads, np.repeat(seen, 6)
