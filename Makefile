@@ -3,6 +3,8 @@
 # make test    set up, build, and run everything that can fail
 # make bench   time and memory of every stage, and how they grow
 # make gallery the examples drawn stage by stage, into output/gallery; GALLERY_METHOD: how they are filled
+# make screenshots the pictures of docs/guide.md, from FreeCAD's window under Xvfb
+# make bench-window how fast large meshes are opened and cut in FreeCAD's window
 # make build   the core alone, in place
 # FREECADCMD and PYTHON may name another FreeCAD and its interpreter.
 
@@ -16,7 +18,7 @@ sources = $(shell git ls-files 'hexcon_native/*.[ch]' 'tests/native/*.[ch]' 2>/d
             find hexcon_native tests/native -name '*.[ch]')
 native = $(wildcard hexcon_native/src/*/*.c)
 
-.PHONY: run test build bench gallery setup-run setup-test lint native-test python-test clean
+.PHONY: run test build bench bench-window gallery screenshots setup-run setup-test lint native-test python-test clean
 
 run: setup-run build
 	@command -v $(FREECADCMD) >/dev/null || { echo "HexCon: there is no $(FREECADCMD); set FREECADCMD to FreeCAD's command line program" >&2; exit 1; }
@@ -59,6 +61,12 @@ gallery: setup-run build
 	@for name in $$(PYTHONPATH=.:workbench $(python) -c 'import hexcon; print(*hexcon.example_names())'); do \
 	  HEXCON_PYTHON=$(python) bin/hexcon example $$name --method $(GALLERY_METHOD) \
 	    --gallery output/gallery/$$name || exit; done
+
+screenshots: setup-test build
+	@scripts/in_window.sh tests/gui/screenshots.py docs
+
+bench-window: setup-test build
+	@scripts/in_window.sh tests/gui/bench_inside.py output
 
 clean:
 	rm -rf build output hexcon_native/*.abi3.so

@@ -61,7 +61,7 @@ class Histogram(QtGui.QWidget):
                 painter.drawRect(self._box(low, high, foot - tall, foot))
         if len(self.counts):
             painter.setPen(self.palette().color(QtGui.QPalette.WindowText))
-            painter.drawText(QtCore.QPointF(LEFT, TOP - 4), translate("HexCon", "at most {count} hexes").format(
+            painter.drawText(QtCore.QPointF(LEFT, TOP - 4), translate("HexCon", "highest bar: {count} hexes").format(
                 count=f"{most:,}".replace(",", "\u00a0")))
 
     def _paint_scale(self, painter, top):

@@ -8,10 +8,10 @@ from hexcon.inspection.faces import edges_of_quads
 from hexcon.inspection.pairs import bars_of_pairs, colours_of_pairs
 from hexcon.pictures.palette import DARK, PLAIN, loop_colours
 
-from .scene import Drawing, Drawings, Faces, balls, polylines
+from .scene import Drawing, Drawings, Faces, balls, polylines, underlay
 
 WIDTH, CHOSEN_WIDTH = 3, 7  # pixels
-BAR = 9  # a bar runs along a loop: it is seen on both sides of it
+BAR = 11  # a bar runs along a loop: it is seen on both sides of it
 BALL = 0.06  # of an edge's length
 
 drawings = Drawings()
@@ -32,8 +32,9 @@ class LoopCurves(Drawing):
         surface = looped.surface
         self._edges = edges_of_quads(surface.quads, len(surface.points))
         self.colours = loop_colours(len(looped.loops))
-        self.faces = Faces()
+        self.faces = Faces(BAR)
         self.add(self.faces.node)
+        self._under_thick, self._under_thin = self.add(underlay()), self.add(underlay())
         self.add(polylines([loop.curve for loop in looped.loops], self.colours, WIDTH))
         lengths = np.linalg.norm(np.diff(surface.points[self._edges], axis=1), axis=2)
         self.add(balls(centres_of(surface.points, surface.quads[looped.crossings]), DARK,
@@ -49,7 +50,7 @@ class LoopCurves(Drawing):
             pairs = self.looped.pairs
             colours = colours_of_pairs(quads, pairs)
             bars = polylines(bars_of_pairs(points, quads, pairs), np.tile(DARK, (len(pairs), 1)), BAR)
-        self._bars = self.instead(self._bars, bars)
+        self._bars = self.instead(self._bars, bars, self._under_thick)
         self.faces.show(points, quads, colours, self._edges)
         self.pairs = wanted
 
@@ -57,7 +58,7 @@ class LoopCurves(Drawing):
         """Draw this loop thick; None: no loop."""
         thick = None if row is None else polylines([self.looped.loop(row).curve], self.colours[[row]],
                                                    CHOSEN_WIDTH)
-        self._thick = self.instead(self._thick, thick)
+        self._thick = self.instead(self._thick, thick, self._under_thin)
         self.loop = row
 
 

@@ -12,7 +12,6 @@ from pivy import coin
 NODE = "HexConDrawing"
 EDGE_COLOUR = (0.16, 0.18, 0.22)
 NO_CHILD = coin.SO_SWITCH_NONE
-_BACK = 1.0  # polygon offset: faces step back behind the lines that lie on them
 SHADE = np.array([0.74, 0.87, 1.0])  # brightness of faces across x, y, z
 
 
@@ -47,11 +46,14 @@ class Drawing:
         self.root.addChild(node)
         return node
 
-    def instead(self, old, new):
-        """Draw a new node, or None, where an old one, or None, was; the new one."""
+    def instead(self, old, new, group=None):
+        """Draw a new node, or None, where an old one, or None, was in the group (else: the root); the new one."""
+        group = group or self.root
         if old is not None:
-            self.root.removeChild(old)
-        return None if new is None else self.add(new)
+            group.removeChild(old)
+        if new is not None:
+            group.addChild(new)
+        return new
 
     def remove(self):
         """The view as it was. Objects that are gone took theirs with them."""
@@ -95,9 +97,12 @@ def _indices(cells):
 
 
 class Faces:
-    """Quads, each in one colour, with their edges; node is what to draw."""
+    """Quads, each in one colour, with their edges; node is what to draw.
 
-    def __init__(self):
+    widest  pixels of the widest line on them: they step back so far that slanted ones do not hide half of it
+    """
+
+    def __init__(self, widest=1):
         self._points, self._colours = coin.SoCoordinate3(), coin.SoMaterial()
         self._faces, self._edges = coin.SoIndexedFaceSet(), coin.SoIndexedLineSet()
         hints, light, binding, back = (coin.SoShapeHints(), coin.SoLightModel(), coin.SoMaterialBinding(),
@@ -105,7 +110,7 @@ class Faces:
         hints.faceType = coin.SoShapeHints.CONVEX  # else Coin cuts every quad into triangles first
         light.model = coin.SoLightModel.BASE_COLOR  # see _shaded
         binding.value = coin.SoMaterialBinding.PER_FACE
-        back.factor = back.units = _BACK
+        back.factor, back.units = max(1.0, widest / 2), 1.0
         self.node = _separator(hints, self._points,
                                _separator(light, back, binding, self._colours, self._faces),
                                _separator(*_plain_lines(EDGE_COLOUR, 1), self._edges))
@@ -175,6 +180,13 @@ def polylines(lines, colours, width):
     _set(drawn.numVertices, [len(line) for line in lines], np.int32)
     places = np.concatenate(lines) if len(lines) else np.zeros((0, 3))
     return _separator(*_plain_lines(EDGE_COLOUR, width), binding, material, _places(places), drawn)
+
+
+def underlay():
+    """A node for lines under other lines of the same place: those that are drawn later win."""
+    depth = coin.SoDepthBuffer()
+    depth.write = False
+    return _separator(depth)
 
 
 def balls(places, colour, radius):
