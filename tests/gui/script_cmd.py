@@ -18,6 +18,9 @@ def main():
     assert made.FemMesh.HexaCount == 8 and len(doc.Objects) == 2
     told = str(actions.check_mesh_object(made))
     assert "certified:" in told and "second order" in told, told
+    inspected, looped = actions.inspect_mesh_object(made), actions.loops_of_object(made)
+    assert inspected.thickness == 1 and len(inspected.scaled_jacobian) == 8
+    assert len(looped.loops) == 6 and not len(looped.crossings)
     try:
         actions.mesh_solid_object(made, 5.0)
     except hexcon.HexconError as fault:

@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
-from session import (OUT, close_panel, find, open_panel, picture, run, say, select, settle,
+from session import (OUT, close_panel, find, leave, open_panel, picture, run, say, select, settle,
                      start_macro, stop_macro, wait, words)
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -149,10 +149,19 @@ def the_worst_is_chosen():
         QtGui.QApplication.sendEvent(table.viewport(), QtGui.QMouseEvent(
             kind, where, QtCore.Qt.LeftButton, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier))
     assert drawing().element == mesh.hex_ids[order[0]]
-    seen = image("chosen.png")
-    assert like(seen, CHOSEN) > 100
-    rows, columns = np.nonzero((np.abs(seen - 255 * np.array(CHOSEN)) < 30).all(axis=2))
-    assert abs(rows.mean() - 150) < 30 and abs(columns.mean() - 200) < 30  # it is in the middle
+    from hexcon.gui import actions
+    for camera in ("Perspective", "Orthographic"):
+        view().setCameraType(camera)
+        actions.zoom_to_hex(state["box"], drawing().element)
+        seen = image(f"chosen_{camera}.png")
+        assert like(seen, CHOSEN) > 100
+        rows, columns = np.nonzero((np.abs(seen - 255 * np.array(CHOSEN)) < 30).all(axis=2))
+        assert abs(rows.mean() - 150) < 30 and abs(columns.mean() - 200) < 30, camera  # it is in the middle
+        assert 25 < np.ptp(rows) < 150, camera  # neither a dot nor all
+    find(QtGui.QSpinBox, "count").setValue(2)
+    assert drawing().element is None and not find(QtGui.QPushButton, "cut_here").isEnabled()
+    table.selectRow(0)
+    assert drawing().element == mesh.hex_ids[order[0]]
     find(QtGui.QPushButton, "cut_here").click()
     assert drawing().kept[order[0]] and 0 < drawn()[0] < 216
     picture("inspect_chosen.png")
@@ -373,8 +382,15 @@ def the_panel_ends_with_its_document():
     assert not inside.drawings._open
 
 
+def freecad_may_close_while_the_panel_is_open():
+    a_mesh_of_other_people()
+    select(state["box"])
+    open_panel("HexCon_Inspect")
+    wait(panel_ready, "the mesh to be shown")
+
+
 run(a_mesh_of_other_people, the_panel_draws_the_mesh, the_cut_moves, layers_are_peeled_and_hexes_stand_apart,
     the_worst_is_chosen, the_histogram_is_the_legend, closed_nothing_is_left, macros_do_the_same,
     a_changed_mesh_is_read_again, a_deleted_mesh_comes_back_as_it_was, other_elements_are_refused, loops_are_drawn,
     a_loop_is_chosen_and_pairs_are_seen, an_odd_surface_has_no_pairs, a_hex_mesh_shows_its_boundary,
-    the_panel_ends_with_its_document)
+    the_panel_ends_with_its_document, freecad_may_close_while_the_panel_is_open, end=leave)

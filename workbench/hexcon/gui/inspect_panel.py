@@ -104,7 +104,7 @@ class InspectPanel(DrawingPanel):
         self.count.setObjectName("count")
         self.count.setRange(1, MOST_LISTED)
         self.count.setValue(10)
-        self.count.valueChanged.connect(self.list_worst)
+        self.count.valueChanged.connect(self.on_count)
         self.cut_here = QtGui.QPushButton(translate("HexCon", "Cut here"))
         self.cut_here.setObjectName("cut_here")
         self.cut_here.setToolTip(translate("HexCon", "Cut away what hides the chosen hexahedron"))
@@ -128,7 +128,7 @@ class InspectPanel(DrawingPanel):
         return lambda: InspectedMesh(found)
 
     def succeed(self, result):
-        """Another mesh to look into: everything as for a new panel, but what the user has set and still can be."""
+        """Draw the mesh that was read; a mesh that replaces another is opened as that was, but for the cut's place."""
         self._mesh = result
         self.controls.setEnabled(True)
         self._quietly(self.peel.setRange, 0, max(0, result.thickness - 1))
@@ -137,13 +137,20 @@ class InspectPanel(DrawingPanel):
         self.list_worst()
         return self._draw(result)
 
-    def list_worst(self, *_):
+    def on_count(self, *_):
+        had = self._chosen()
+        self.list_worst()
+        if had is not None:  # none is chosen now, so none is outlined
+            self.draw()
+
+    def list_worst(self):
         rows = worst(self._mesh.scaled_jacobian, self.count.value())
         self._listed = self._mesh.hex_ids[rows].tolist()
         values = self._mesh.scaled_jacobian[rows]
         self._quietly(fill_table, self.worst, [(str(element), f"{value:.4f}") for element, value in zip(
             self._listed, values)], quality_colours(values))
         self._quietly(self.worst.clearSelection)
+        self.cut_here.setEnabled(False)
 
     def _quietly(self, call, *arguments):
         """The call, without any of its widgets' signals: what they would draw follows."""
