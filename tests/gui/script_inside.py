@@ -218,6 +218,18 @@ def macros_do_the_same():
     assert scene_of(box) == state["before"]
 
 
+def marks_are_where_the_object_is():
+    """Those of "Certify hex mesh" hang in the same place of the view."""
+    from hexcon.gui import actions, marking
+    body = np.argwhere(image("unmarked.png").min(axis=2) < 240)
+    actions.mark_hexes(state["box"], [1, N])  # at the ends of an edge
+    marks = np.argwhere((np.abs(image("marked.png") - 255 * np.array(marking.RED)) < 20).all(axis=2))
+    actions.mark_hexes(state["box"], [])
+    assert len(marks) > 100
+    assert (marks.min(axis=0) >= body.min(axis=0) - 3).all() and (marks.max(axis=0) <= body.max(axis=0) + 3).all()
+    assert (np.ptp(marks, axis=0) > np.ptp(body, axis=0) / 2).any()  # both of them
+
+
 def a_changed_mesh_is_read_again():
     import hexcon
     from types import SimpleNamespace
@@ -391,6 +403,6 @@ def freecad_may_close_while_the_panel_is_open():
 
 run(a_mesh_of_other_people, the_panel_draws_the_mesh, the_cut_moves, layers_are_peeled_and_hexes_stand_apart,
     the_worst_is_chosen, the_histogram_is_the_legend, closed_nothing_is_left, macros_do_the_same,
-    a_changed_mesh_is_read_again, a_deleted_mesh_comes_back_as_it_was, other_elements_are_refused, loops_are_drawn,
+    marks_are_where_the_object_is, a_changed_mesh_is_read_again, a_deleted_mesh_comes_back_as_it_was, other_elements_are_refused, loops_are_drawn,
     a_loop_is_chosen_and_pairs_are_seen, an_odd_surface_has_no_pairs, a_hex_mesh_shows_its_boundary,
     the_panel_ends_with_its_document, freecad_may_close_while_the_panel_is_open, end=leave)

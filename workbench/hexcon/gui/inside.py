@@ -6,7 +6,9 @@ from hexcon.inspection.faces import edges_of_quads
 from hexcon.inspection.opening import Opening
 from hexcon.pictures.palette import quality_colours
 
-from .scene import Drawing, Drawings, Faces, edges_on_top, look_at
+from .camera import look_at
+from .drawing import Drawing, Drawings
+from .nodes import Faces, edges_on_top
 
 CHOSEN = (1.0, 0.0, 0.75)  # no scaled Jacobian's colour
 CHOSEN_WIDTH = 4

@@ -4,7 +4,6 @@ import math
 import os
 
 import FreeCAD
-import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
 
@@ -15,6 +14,7 @@ from hexcon.inspection.opening import InspectedMesh
 from hexcon.pictures.palette import quality_colours
 
 from . import actions, inside, words
+from .camera import line_of_sight
 from .commands import ROOT
 from .drawing_panel import DrawingPanel, choice_table, fill_table
 from .histogram import Histogram
@@ -245,15 +245,10 @@ class InspectPanel(DrawingPanel):
         """A plane through the chosen hex's centre, across the axis nearest to the line of sight: what lies between
         the hex and the user goes."""
         centre = self._mesh.centres[self._mesh.row_of(self._chosen())]
-        ahead = _line_of_sight(self.about().Document)
+        ahead = line_of_sight(self.about().Document)
         axis = int(np.argmax(np.abs(ahead)))
         self._quietly(self.axis.setCurrentIndex, self.axis.findData("xyz"[axis]))
         self._range_of_cut()
         self._quietly(self.flip.setChecked, bool(ahead[axis] > 0))
         self._set_offset(float(centre[axis]))
         self.draw()
-
-
-def _line_of_sight(document):
-    view = FreeCADGui.getDocument(document.Name).ActiveView
-    return np.array(view.getViewDirection()) if hasattr(view, "getViewDirection") else np.array([0.0, 1.0, 0.0])

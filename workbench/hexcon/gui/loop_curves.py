@@ -8,7 +8,8 @@ from hexcon.inspection.faces import edges_of_quads
 from hexcon.inspection.pairs import bars_of_pairs, colours_of_pairs
 from hexcon.pictures.palette import DARK, PLAIN, loop_colours
 
-from .scene import Drawing, Drawings, Faces, balls, polylines, underlay
+from .drawing import Drawing, Drawings
+from .nodes import Faces, balls, polylines, underlay
 
 WIDTH, CHOSEN_WIDTH = 3, 7  # pixels
 BAR = 11  # a bar runs along a loop: it is seen on both sides of it

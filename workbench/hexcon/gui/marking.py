@@ -5,7 +5,7 @@ from pivy import coin
 
 from hexcon.femmesh.hexahedron import EDGES
 
-from .scene import edges_on_top, in_object_space
+from .nodes import edges_on_top, in_object_space
 
 RED = (0.9, 0.1, 0.1)
 NODE = "HexConMarked"

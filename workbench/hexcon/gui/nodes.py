@@ -1,17 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Drawings of our own in place of a FEM mesh object's, by Coin.
-
-They hang in the scene graph of the object's view provider, and FreeCAD's own display is switched off there: the
-document, and with it what is saved and undone, knows nothing of them.
-"""
-import FreeCAD
-import FreeCADGui
+"""Coin nodes of what is drawn: faces, lines, balls, from arrays."""
 import numpy as np
 from pivy import coin
 
-NODE = "HexConDrawing"
 EDGE_COLOUR = (0.16, 0.18, 0.22)
-NO_CHILD = coin.SO_SWITCH_NONE
 SHADE = np.array([0.74, 0.87, 1.0])  # brightness of faces across x, y, z
 
 
@@ -23,64 +15,6 @@ def in_object_space(mesh_object):
     columns = np.array(matrix.A).reshape(4, 4).T
     node.matrix = coin.SbMatrix(*columns.ravel().tolist())
     return node
-
-
-class Drawing:
-    """A separator in the view of a mesh object; its own display, and that of others, off meanwhile.
-
-    instead_of  more objects that are not to be seen, as the solid that covers its mesh
-    """
-
-    def __init__(self, mesh_object, instead_of=()):
-        self.mesh_object = mesh_object
-        self.root = coin.SoSeparator()
-        self.root.setName(NODE)
-        style = coin.SoPickStyle()
-        style.style = coin.SoPickStyle.UNPICKABLE  # FreeCAD would look for our faces among its own
-        self.root.addChild(style)
-        self.root.addChild(in_object_space(mesh_object))
-        mesh_object.ViewObject.RootNode.addChild(self.root)
-        self._switched = [(thing, _switch_off(thing)) for thing in (mesh_object, *instead_of)]
-
-    def add(self, node):
-        self.root.addChild(node)
-        return node
-
-    def instead(self, old, new, group=None):
-        """Draw a new node, or None, where an old one, or None, was in the group (else: the root); the new one."""
-        group = group or self.root
-        if old is not None:
-            group.removeChild(old)
-        if new is not None:
-            group.addChild(new)
-        return new
-
-    def remove(self):
-        """The view as it was. Objects that are gone took theirs with them."""
-        for thing, shown in self._switched:
-            view = _view_of(thing)
-            if view and view.Visibility and view.SwitchNode.whichChild.getValue() == NO_CHILD:
-                view.SwitchNode.whichChild = shown
-        self._switched = []
-        view = _view_of(self.mesh_object)
-        if view and view.RootNode.findChild(self.root) >= 0:
-            view.RootNode.removeChild(self.root)
-
-
-def _view_of(thing):
-    """The view provider, or None of an object that is gone."""
-    try:
-        return thing.ViewObject
-    except (ReferenceError, NameError):  # FreeCAD's words for objects and for documents
-        return None
-
-
-def _switch_off(thing):
-    """Hide without the property Visibility, which would be saved; what the switch showed."""
-    switch = thing.ViewObject.SwitchNode
-    shown = switch.whichChild.getValue()
-    switch.whichChild = NO_CHILD
-    return shown
 
 
 def _set(field, values, kind):
@@ -209,91 +143,3 @@ def edges_on_top(points, edges, colour, width):
     lines = coin.SoIndexedLineSet()
     _set(lines.coordIndex, _indices(edges), np.int32)
     return _filled(coin.SoAnnotation(), *_plain_lines(colour, width), _places(points), lines)
-
-
-# ----------------------------------------------------------------------------------------- drawings
-
-class Drawings:
-    """One kind of drawing, at most one for each object; ends with its object or its mesh.
-
-    Drawings of other kinds of the same object go when one begins: two would hide each other.
-    """
-
-    _kinds = []
-
-    def __init__(self):
-        self._open = {}
-        self._kinds.append(self)
-
-    def find(self, mesh_object):
-        return self._open.get(_key(mesh_object))
-
-    def put(self, mesh_object, make):
-        """Let make() draw."""
-        for kind in self._kinds:
-            kind.remove(mesh_object)
-        drawing = make()
-        if not any(kind._open for kind in self._kinds):
-            FreeCAD.addDocumentObserver(_watcher)
-        self._open[_key(mesh_object)] = drawing
-        return drawing
-
-    def remove(self, mesh_object):
-        """True if there was one."""
-        return self.forget(_key(mesh_object))
-
-    def forget(self, key):
-        drawing = self._open.pop(key, None)
-        if drawing is None:
-            return False
-        drawing.remove()
-        if not any(kind._open for kind in self._kinds):
-            FreeCAD.removeDocumentObserver(_watcher)
-        return True
-
-
-def _key(thing):
-    return thing.Document.Name, thing.Name
-
-
-class _Watcher:
-    """FreeCAD's document observer while anything is drawn."""
-
-    def slotChangedObject(self, thing, name):
-        if name == "FemMesh":
-            self.slotDeletedObject(thing)
-
-    def slotDeletedObject(self, thing):
-        for kind in Drawings._kinds:
-            kind.forget(_key(thing))
-
-    def slotDeletedDocument(self, document):
-        for kind in Drawings._kinds:
-            for key in [key for key in kind._open if key[0] == document.Name]:
-                kind.forget(key)
-
-
-_watcher = _Watcher()
-
-
-# ------------------------------------------------------------------------------------------- camera
-
-def look_at(document, places, around=6.0):
-    """Move the camera, its direction kept, until the places (k,3) lie in the middle of the view.
-
-    around  what is seen, times the size of the places. Nothing where the active view is not a 3D one.
-    """
-    view = FreeCADGui.getDocument(document.Name).ActiveView
-    if not hasattr(view, "getCameraNode"):
-        return
-    camera = view.getCameraNode()
-    centre, radius = places.mean(axis=0), np.linalg.norm(np.ptp(places, axis=0)) / 2
-    height = 2 * around * (radius or 1.0)
-    ahead = camera.orientation.getValue().multVec(coin.SbVec3f(0, 0, -1))
-    if isinstance(camera, coin.SoPerspectiveCamera):
-        away = height / 2 / np.tan(camera.heightAngle.getValue() / 2)
-    else:
-        camera.height = height
-        away = camera.focalDistance.getValue()
-    camera.position = tuple(float(c) for c in centre - away * np.array(ahead.getValue()))
-    camera.focalDistance = float(away)
