@@ -28,6 +28,7 @@ class HexConWorkbench(FreeCADGui.Workbench):
             "hexcon_gui_commands", os.path.join(package, "gui", "commands.py"))
         self._commands = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(self._commands)
+        self._commands.join_freecad()
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"

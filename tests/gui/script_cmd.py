@@ -15,7 +15,7 @@ def main():
     box = doc.addObject("Part::Box", "Box")
     doc.recompute()
     made = actions.mesh_solid_object(box, 5.0, order=2)
-    assert made.FemMesh.HexaCount == 8 and len(doc.Objects) == 2
+    assert made.FemMesh.HexaCount == 8 and len(doc.Objects) == 3
     told = str(actions.check_mesh_object(made))
     assert "certified:" in told and "second order" in told, told
     inspected, looped = actions.inspect_mesh_object(made), actions.loops_of_object(made)

@@ -13,7 +13,8 @@ state = {}
 
 
 def meshes():
-    return [o for o in state["doc"].Objects if o.isDerivedFrom("Fem::FemMeshObject")]
+    return [o for o in state["doc"].Objects
+            if o.isDerivedFrom("Fem::FemMeshObject") and o.FemMesh.VolumeCount]
 
 
 # ------------------------------------------------------------------------------------------ steps
@@ -22,7 +23,7 @@ def workbench_has_its_commands():
     FreeCADGui.activateWorkbench("HexConWorkbench")
     assert FreeCADGui.activeWorkbench().name() == "HexConWorkbench"
     bars = FreeCADGui.getMainWindow().findChildren(QtGui.QToolBar, "HexCon")
-    assert len(bars) == 1 and len(bars[0].actions()) == 4
+    assert len(bars) == 1 and len(bars[0].actions()) == 11
     assert all(not action.icon().isNull() for action in bars[0].actions())
     assert not FreeCADGui.getMainWindow().findChild(QtGui.QMessageBox, "HexConMissingCore")
     workbench = FreeCADGui.listWorkbenches()["HexConWorkbench"]

@@ -123,24 +123,28 @@ def gmsh_runs():
 
 
 @contextlib.contextmanager
-def held_at(stage):
-    """The next mesh waits in this stage; yields (reached, go on), so no test races the core."""
-    from hexcon.gui import mesh_panel
-    reached, go_on, real = threading.Event(), threading.Event(), mesh_panel.mesh_solid
+def held_at(stage, module=None, name="mesh_solid"):
+    """The next mesh waits in this stage; yields (reached, go on), so no test races the core.
 
-    def slow(shape, size, *, progress, **options):
+    module, name  where the worker is looked up; None: in the panel of the short road
+    """
+    from hexcon.gui import mesh_panel
+    module = module or mesh_panel
+    reached, go_on, real = threading.Event(), threading.Event(), getattr(module, name)
+
+    def slow(*given, progress, **options):
         def report(now, fraction):
             answer = progress(now, fraction)
             if now == stage and fraction > 0.4:
                 reached.set()
                 go_on.wait(PATIENCE)
             return answer and progress(now, fraction)
-        return real(shape, size, progress=report, **options)
-    mesh_panel.mesh_solid = slow
+        return real(*given, progress=report, **options)
+    setattr(module, name, slow)
     try:
         yield reached, go_on
     finally:
-        mesh_panel.mesh_solid = real
+        setattr(module, name, real)
 
 
 @contextlib.contextmanager

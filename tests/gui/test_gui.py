@@ -9,6 +9,7 @@ import pathlib
 import shutil
 import signal
 import subprocess
+import sys
 
 import pytest
 
@@ -114,3 +115,17 @@ def test_actions_without_a_window(tmp_path, home):
     command = shutil.which(os.environ.get("FREECADCMD", "freecadcmd"))
     assert command, "freecadcmd is missing"
     freecad([command, str(HERE / "script_cmd.py"), "-M", str(ROOT)], tmp_path, home)
+
+
+def test_objects_without_a_window(tmp_path, home):
+    command = shutil.which(os.environ.get("FREECADCMD", "freecadcmd"))
+    assert command, "freecadcmd is missing"
+    freecad([command, str(HERE / "script_recompute.py"), "-M", str(ROOT)], tmp_path, home)
+
+
+def test_the_parametric_road_by_clicks(tmp_path, home):
+    window("script_objects.py", tmp_path, home, "-M", str(ROOT))
+
+
+def test_translations_are_collected():
+    subprocess.run([sys.executable, str(ROOT / "scripts" / "translations.py"), "--check"], check=True)

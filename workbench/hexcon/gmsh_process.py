@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Run gmsh in a process of its own: it may crash, hang, or be cancelled without harm to the caller.
 
-The interpreter is $HEXCON_GMSH_PYTHON, or else this one if it has gmsh, numpy and SciPy, or else /usr/bin/python3.
+The interpreter is $HEXCON_GMSH_PYTHON, or else the one in FreeCAD's preferences for HexCon, or else this one if it has gmsh, numpy and SciPy, or else /usr/bin/python3.
 """
 import functools
 import importlib.util
@@ -14,6 +14,7 @@ import time
 
 import numpy as np
 
+from hexcon import preferences
 from hexcon.errors import FaultCode, ToolError
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -26,14 +27,15 @@ CRASHES = 12    # so often a job is started again without the step that killed i
 
 @functools.lru_cache(maxsize=None)
 def gmsh_python(named=None):
-    """Path of a Python that can `import gmsh, numpy, scipy`. named: the value of HEXCON_GMSH_PYTHON, if set.
+    """Path of a Python that can `import gmsh, numpy, scipy`. named: the value of HEXCON_GMSH_PYTHON, or of
+    FreeCAD's preference for HexCon, if set.
 
     Raises ToolError TOOL_MISSING. The answer is kept for the life of the process.
     """
     if named:
         if _has_gmsh(named):
             return named
-        raise ToolError(f"HEXCON_GMSH_PYTHON is {named}, which cannot import gmsh, numpy and scipy", FaultCode.TOOL_MISSING)
+        raise ToolError(f"HEXCON_GMSH_PYTHON (or HexCon's preference) is {named}, which cannot import gmsh, numpy and scipy", FaultCode.TOOL_MISSING)
     is_python = os.path.basename(sys.executable or "").lower().startswith("python")
     if is_python and all(importlib.util.find_spec(m) for m in ("gmsh", "numpy", "scipy")):
         return sys.executable
@@ -62,7 +64,7 @@ def run_job(worker, write_input, job, timeout, progress=None):
     Where gmsh crashes in a step that has an alternative, the work is done again without that step.
     Raises ToolError TOOL_MISSING, TOOL_TIMEOUT, TOOL_FAILED (with gmsh's last words), or what the worker found.
     """
-    python = gmsh_python(os.environ.get("HEXCON_GMSH_PYTHON") or None)
+    python = gmsh_python(os.environ.get("HEXCON_GMSH_PYTHON") or preferences.value("GmshPython") or None)
     with tempfile.TemporaryDirectory(prefix="hexcon-gmsh-") as folder:
         job = dict(job, file=os.path.abspath(write_input(folder)), timeout=timeout, avoid=[])
         job_path = os.path.join(folder, "job.json")

@@ -23,7 +23,8 @@ from .runner import find_ccx, run_ccx
 
 
 def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pressure=None,
-          order=None, workdir=None, timeout=3600, threads=None, allow_topological=False):
+          order=None, workdir=None, timeout=3600, threads=None, allow_topological=False,
+          waiting=None):
     """Build an analysis in the document, run ccx, load the results into the document.
 
     mesh      a hex mesh (it is added as a mesh object), or a document object that holds
@@ -36,6 +37,7 @@ def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pres
     workdir   existing folder for the deck and ccx's files; a new temporary one if None
     timeout   seconds for ccx;  threads  None: all processors
     allow_topological  take a mesh of topology only as well: its results mean nothing
+    waiting   function (job, name) -> job(progress)'s result, in which ccx runs; for windows
     Returns a Result. One undo step; on any failure the document is as it was.
     Raises ToolError: FREECAD_MISSING, TOOL_MISSING, TOOL_FAILED with ccx's words,
     TOOL_TIMEOUT, BAD_OPTION, BAD_MESH, TOPOLOGICAL_MESH.
@@ -63,7 +65,7 @@ def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pres
     before = {o.Name for o in doc.Objects}
     with freecad_compat.transaction(doc, "Solve hex mesh"), setup.restoring():
         tools = setup.build(folder)
-        found, log = _run(setup, tools, program, timeout, threads)
+        found, log = _run(setup, tools, program, timeout, threads, waiting)
         result_object = _load(setup, tools)
         added = [o for o in doc.Objects if o.Name not in before]
     return _result(setup, tools, result_object, added, found, log)
@@ -175,11 +177,14 @@ def _remove_groups(mesh_object, kept):
         mesh_object.FemMesh = femmesh
 
 
-def _run(setup, tools, program, timeout, threads):
+def _run(setup, tools, program, timeout, threads, waiting):
     """ccx on FreeCAD's deck. FreeCAD's own ccx_run has no time limit, and makes an empty
     result of a failed run."""
+    def job(progress):
+        return run_ccx(tools.inp_file_name, timeout=timeout, threads=threads, ccx=program,
+                       progress=progress)
     try:
-        return run_ccx(tools.inp_file_name, timeout=timeout, threads=threads, ccx=program)
+        return waiting(job, "CalculiX") if waiting else job(None)
     except ToolError as error:
         # ccx names FreeCAD's element numbers; users of arrays want rows
         rows = np.flatnonzero(np.isin(setup.mesh.hex_ids, np.array(error.elements) + 1))

@@ -4,13 +4,16 @@ import os
 import re
 import shutil
 import subprocess
+import time
 
 from hexcon.errors import FaultCode, ToolError
+from hexcon_native import ErrorCode, HexconError
 
 from . import frd
 
 _NAMES = ("ccx", "ccx_static", "ccx_dynamic")
 _MAX_LINES = 20
+POLL = 0.1  # seconds between looks at ccx
 _ELEMENT = re.compile(r"(?:in|to) element\s+(\d+)")
 
 
@@ -59,10 +62,11 @@ def failure(log, returncode):
                      FaultCode.TOOL_FAILED, ids)
 
 
-def run_ccx(deck_path, *, timeout=3600, threads=None, ccx=None):
+def run_ccx(deck_path, *, timeout=3600, threads=None, ccx=None, progress=None):
     """Run ccx on deck_path (ending .inp); its results come to lie beside it.
 
     timeout  seconds;  threads  0 or None: all processors
+    progress  callable (stage, fraction), asked ten times a second; returning False cancels
     Returns (results of frd.read, log). ccx may report an error and still end with status
     0, so status, messages and results are all looked at.
     Raises ToolError: TOOL_MISSING, TOOL_FAILED (ccx's words), TOOL_TIMEOUT.
@@ -75,18 +79,41 @@ def run_ccx(deck_path, *, timeout=3600, threads=None, ccx=None):
     result_path = os.path.join(folder, job + ".frd")
     if os.path.exists(result_path):
         os.remove(result_path)  # an old result must not pass for this one's
+    returncode, log = _watched(program, job, folder, environment, timeout, progress)
+    results = frd.read(result_path) if os.path.exists(result_path) else None
+    if returncode or "*ERROR" in log or results is None:
+        raise failure(log, returncode)
+    return results, log
+
+
+def _watched(program, job, folder, environment, timeout, progress):
+    """(exit status, output) of ccx; it never outlives this call."""
+    limit = time.monotonic() + timeout
     try:
-        done = subprocess.run(
-            [program, "-i", job], cwd=folder, env=environment, timeout=timeout,
+        process = subprocess.Popen(
+            [program, "-i", job], cwd=folder, env=environment,
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-            encoding="utf-8", errors="replace", check=False)
-    except subprocess.TimeoutExpired as error:
-        raise ToolError(f"CalculiX did not finish within {timeout} s; give it more time, or "
-                        "mesh coarser", FaultCode.TOOL_TIMEOUT) from error
+            encoding="utf-8", errors="replace")
     except OSError as error:
         raise ToolError(f"CalculiX ({program}) cannot be started: {error}",
                         FaultCode.TOOL_MISSING) from error
-    results = frd.read(result_path) if os.path.exists(result_path) else None
-    if done.returncode or "*ERROR" in done.stdout or results is None:
-        raise failure(done.stdout, done.returncode)
-    return results, done.stdout
+    try:
+        while True:
+            try:
+                log, _ = process.communicate(timeout=POLL)
+                return process.returncode, log
+            except subprocess.TimeoutExpired:
+                _look_up(limit, timeout, progress)
+    finally:
+        if process.poll() is None:
+            process.kill()
+            process.wait()
+
+
+def _look_up(limit, timeout, progress):
+    """Raise if the time is over, or the user has had enough."""
+    if time.monotonic() > limit:
+        raise ToolError(f"CalculiX did not finish within {timeout} s; give it more time, or "
+                        "mesh coarser", FaultCode.TOOL_TIMEOUT)
+    if progress is not None and progress("CalculiX", 0.5) is False:
+        raise HexconError("cancelled while CalculiX ran", ErrorCode.CANCELLED)

@@ -6,6 +6,9 @@ from hexcon.topological import PROPERTY, is_topological
 
 from .convert import to_femmesh
 
+MEANING = "Topology only: some Jacobians are zero or negative; not for solving"
+SUFFIX = " (topological)"  # of the label
+
 
 class HexMesh:
     """Proxy of a hex mesh object. Saved documents name this class: never rename or move it."""
@@ -14,6 +17,13 @@ class HexMesh:
 
     def __init__(self, obj):
         obj.Proxy = self
+
+    def onDocumentRestored(self, obj):
+        """Documents of older versions get today's view provider, which knows a double click."""
+        view = getattr(obj, "ViewObject", None)
+        if view is not None and getattr(view, "Proxy", None) in (None, 0):
+            from hexcon.gui.views import HexMeshView
+            HexMeshView(view)
 
     def dumps(self):
         return None
@@ -53,7 +63,7 @@ def insert(doc, femmesh, solid_object, name, topological=False):
     HexMesh(mesh_object)
     mesh_object.FemMesh = femmesh
     if topological:
-        _mark_topological(mesh_object)
+        mark_topological(mesh_object)
     view = getattr(mesh_object, "ViewObject", None)
     if view is not None and getattr(view, "Proxy", 0) is None:
         view.Proxy = 0  # FreeCAD's own display; without this a Python object stays hidden
@@ -61,10 +71,16 @@ def insert(doc, femmesh, solid_object, name, topological=False):
     return mesh_object
 
 
-def _mark_topological(mesh_object):
-    """A property for programs and a label for people: both are saved with the document."""
-    mesh_object.addProperty("App::PropertyBool", PROPERTY, "HexCon",
-                            "Topology only: some Jacobians are zero or negative; not for solving")
-    setattr(mesh_object, PROPERTY, True)
-    mesh_object.setEditorMode(PROPERTY, 1)  # shown, not to be changed by a click
-    mesh_object.Label += " (topological)"
+def mark_topological(mesh_object, topological=True):
+    """A property for programs and a label for people: both are saved with the document.
+
+    False takes both away again, where the object gets another mesh.
+    """
+    if PROPERTY not in mesh_object.PropertiesList:
+        if not topological:
+            return
+        mesh_object.addProperty("App::PropertyBool", PROPERTY, "HexCon", MEANING)
+        mesh_object.setEditorMode(PROPERTY, 1)  # shown, not to be changed by a click
+    setattr(mesh_object, PROPERTY, topological)
+    plain = mesh_object.Label.replace(SUFFIX, "")
+    mesh_object.Label = plain + SUFFIX if topological else plain

@@ -4,6 +4,8 @@
     import hexcon.gui.actions
     mesh = hexcon.gui.actions.mesh_solid_object(FreeCAD.ActiveDocument.Box, 2.5, order=2)
     print(hexcon.gui.actions.check_mesh_object(mesh))
+
+Each is one undo step and all or nothing: on a HexconError the document is as it was.
 """
 import math
 from contextlib import contextmanager
@@ -13,20 +15,25 @@ from types import SimpleNamespace
 import numpy as np
 
 import hexcon_native
-from hexcon import freecad_compat
+from hexcon import freecad_compat, preferences
 from hexcon.errors import FaultCode, ToolError
-from hexcon.femmesh import elements_of, from_femmesh, to_femmesh
-from hexcon.femmesh.document import insert
+from hexcon.femmesh import elements_of, from_femmesh
 from hexcon.femmesh.hexahedron import EDGES
 from hexcon.inspection.dual_loops import LoopedSurface
 from hexcon.inspection.opening import InspectedMesh, Opening
 from hexcon.meshing import mesh_solid
+from hexcon.objects import hex_mesh as hex_mesh_objects
+from hexcon.objects import quad_surface as quad_surface_objects
+from hexcon.objects import quality_report as quality_report_objects
+from hexcon.objects.parametric import solid_shape
+from hexcon.objects.quad_surface import TIMEOUT
 from hexcon.quads.documents import surface_from_object
 from hexcon.topological import is_topological, refuse_topological_method
 
 from . import words
+from .analyses import into_analysis, load_and_solve, show_displacement  # noqa: F401  calls for macros
+from .example_documents import EXAMPLES, open_example  # noqa: F401
 
-TIMEOUT = 3600.0  # seconds for gmsh: in the window the user stops it, not the clock
 _NICE = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
 
 # What a panel's worker has just computed for the very call that puts it into the document.
@@ -46,17 +53,7 @@ def prepared(result):
         _prepared.clear()
 
 
-# ------------------------------------------------------------------------------------------- mesh
-
-def solid_shape(solid_object):
-    """A copy of the object's shape that another thread may use. Raises ToolError(BAD_SHAPE)."""
-    shape = getattr(solid_object, "Shape", None)
-    count = len(getattr(shape, "Solids", ()))
-    if count != 1:
-        raise ToolError(f"{getattr(solid_object, 'Label', solid_object)} holds {count} solids; "
-                        "exactly one is needed", FaultCode.BAD_SHAPE)
-    return shape.copy()
-
+# ---------------------------------------------------------------------------------- quad surfaces
 
 def default_size(shape):
     """A tenth of the bounding box's diagonal, rounded to a handy figure, in mm."""
@@ -67,9 +64,104 @@ def default_size(shape):
     return min((float(f"{n}e{power}") for n in _NICE), key=lambda size: abs(size - tenth))
 
 
+def make_quad_surface(source, size=None, *, method="auto"):
+    """A quad surface object made from a document object; returns it.
+
+    source  an object whose Shape holds exactly one solid, or a FEM mesh object whose quads
+            (or the outer faces of whose volumes) are taken; then size and method do not matter
+    size    wanted edge length, mm; None: a tenth of the solid's diagonal
+    method  hexcon.quads.METHODS
+    The solid is hidden, as the quads cover it. Raises HexconError: those of
+    hexcon.quads.surface_from_solid and surface_from_object.
+    """
+    if size is None:
+        size = default_size(source.Shape) if hasattr(source, "Shape") else 1.0
+    settings = {"source": source, "size": float(size), "method": method}
+    return _new_quad_surface(source.Document, settings)
+
+
+def import_quad_surface(path, document=None):
+    """A quad surface object with the quads of a mesh file (hexcon.quads.files.MESH_ENDINGS).
+
+    document  None: the active one, or a new one. The object is made anew on recompute when the
+    file has changed. Raises HexconError: those of hexcon.quads.surface_from_file.
+    """
+    settings = {"file": str(path)}
+    mark, job = quad_surface_objects.job_of(**settings)
+    surface = job(None)  # may fail: before there is a document
+    app = freecad_compat.freecad()
+    document = document or app.ActiveDocument or app.newDocument()
+    with prepared(surface):
+        return _new_quad_surface(document, settings)
+
+
+def _new_quad_surface(document, settings, name="QuadSurface"):
+    mark, job = quad_surface_objects.job_of(**settings)
+    surface = _prepared.pop("result", None) or job(None)
+    with freecad_compat.transaction(document, "Quad surface"):
+        made = quad_surface_objects.add_quad_surface(document, surface, mark, settings, name)
+        _hide(settings.get("source"))
+    return made
+
+
+def update_quad_surface(surface_object, **settings):
+    """Make a quad surface anew with other settings (size, method), then what is made from it.
+
+    Nothing changes if the quads cannot be made; a hex mesh that then fails keeps its hexes and
+    says so in its Status. Raises HexconError as make_quad_surface.
+    """
+    whole = {"source": surface_object.Source, "file": surface_object.File, "example": surface_object.Example,
+             "size": surface_object.Size.Value, "method": surface_object.Method, **settings}
+    mark, job = quad_surface_objects.job_of(**whole)
+    _update(surface_object, _prepared.pop("result", None) or job(None), mark, settings,
+            quad_surface_objects.set_settings)
+
+
+def _update(obj, result, mark, settings, set_settings):
+    with freecad_compat.transaction(obj.Document, f"Update {obj.Label}"):
+        set_settings(obj, settings)
+        obj.Proxy.take(obj, result, mark)
+        obj.Document.recompute()
+
+
+def _hide(*objects):
+    """Not to be seen any more, as something made from them covers them."""
+    for thing in objects:
+        if getattr(thing, "ViewObject", None) is not None:
+            thing.ViewObject.Visibility = False
+
+
+# ------------------------------------------------------------------------------------- hex meshes
+
+def make_hex_mesh(surface_object, *, method="auto", layers=0, order=1, budget=0.0, allow_topological=False):
+    """Fill a quad surface object with hexes; returns the new FEM mesh object.
+
+    method, layers, order, budget  as hexcon_native.mesh
+    allow_topological  make the object even by a method of topology only; it is marked as such
+    Raises HexconError: those of hexcon.mesh_quad_surface.
+    """
+    settings = {"method": method, "layers": layers, "order": order, "budget": float(budget),
+                "allow_topological": allow_topological}
+    mesh = _prepared.pop("result", None) or hex_mesh_objects.job_of(surface_object, **settings)[1](None)
+    document = surface_object.Document
+    with freecad_compat.transaction(document, "Hex mesh"):
+        made = hex_mesh_objects.add_hex_mesh(document, mesh, surface_object, settings)
+        _hide(surface_object, surface_object.Source)
+    return made
+
+
+def update_hex_mesh(mesh_object, **settings):
+    """Make a hex mesh anew with other settings: those of make_hex_mesh. Raises as that."""
+    whole = {"method": mesh_object.Method, "layers": mesh_object.Layers, "order": int(mesh_object.Order),
+             "budget": mesh_object.Budget, "allow_topological": mesh_object.AllowTopological, **settings}
+    mark, job = hex_mesh_objects.job_of(mesh_object.Surface, **whole)
+    _update(mesh_object, _prepared.pop("result", None) or job(None), mark, settings,
+            hex_mesh_objects.set_settings)
+
+
 def mesh_solid_object(solid_object, size, *, surface_method="auto", method="auto", layers=0,
-                      order=1, timeout=TIMEOUT, allow_topological=False):
-    """Mesh the one solid of a document object with hexes; returns the new FEM mesh object.
+                      order=1, budget=0.0, timeout=TIMEOUT, allow_topological=False):
+    """The short road: mesh a solid's surface with quads, and fill it; returns the hex mesh object.
 
     solid_object    a document object whose Shape holds exactly one solid
     size            wanted edge length, mm
@@ -77,29 +169,42 @@ def mesh_solid_object(solid_object, size, *, surface_method="auto", method="auto
     method          hexcon_native.METHODS
     layers          cells: at least so many layers of plain hexes under the surface
     order           1 (C3D8) or 2 (C3D20)
+    budget          seconds after which the best mesh until then is taken; 0: no limit
     timeout         seconds for gmsh
     allow_topological  make the object even by a method of topology only; it is marked as such
-    One undo step; the solid is hidden, as the mesh covers it. Raises HexconError, the document
-    untouched: those of hexcon.meshing.mesh_solid and femmesh.add_to_document.
+    The quad surface object is the mesh's Surface; it and the solid are hidden, as the mesh covers
+    them. Raises HexconError: those of hexcon.meshing.mesh_solid and femmesh.add_to_document.
     """
     refuse_topological_method(method, allow_topological)  # before the work, not after it
+    of_surface = {"source": solid_object, "size": float(size), "method": surface_method}
+    of_mesh = {"method": method, "layers": layers, "order": order, "budget": float(budget),
+               "allow_topological": allow_topological}
+    shape = solid_shape(solid_object)
     mesh = _prepared.pop("result", None) or mesh_solid(
-        solid_shape(solid_object), size, surface_method=surface_method, method=method,
-        layers=layers, order=order, timeout=timeout)
-    return insert_mesh(mesh, solid_object, allow_topological=allow_topological)
-
-
-def insert_mesh(mesh, solid_object, *, allow_topological=False):
-    """femmesh.add_to_document, and the solid hidden in the same undo step."""
+        shape, size, surface_method=surface_method, method=method, layers=layers, order=order,
+        budget=budget, timeout=timeout, threads=preferences.value("Threads"))
+    mark, _ = quad_surface_objects.job_of(**of_surface)
     document = solid_object.Document
-    # may fail: before the document is touched
-    femmesh = to_femmesh(mesh, allow_topological=allow_topological)
     with freecad_compat.transaction(document, "Hex mesh"):
-        mesh_object = insert(document, femmesh, solid_object, "HexMesh",
-                             is_topological(mesh))
-        if getattr(solid_object, "ViewObject", None) is not None:
-            solid_object.ViewObject.Visibility = False
-    return mesh_object
+        surface = quad_surface_objects.add_quad_surface(document, mesh.surface, mark, of_surface)
+        made = hex_mesh_objects.add_hex_mesh(document, mesh, surface, of_mesh)
+        _hide(surface, solid_object)
+    return made
+
+
+# ---------------------------------------------------------------------------------------- quality
+
+def make_quality_report(mesh_object, worst=10):
+    """A quality report object about a FEM mesh object of hexes; returns it.
+
+    worst  how many of the worst elements it lists. It follows the mesh on recompute.
+    Raises HexconError as check_mesh_object.
+    """
+    mark, job = quality_report_objects.job_of(mesh_object)
+    result = _prepared.pop("result", None) or job(None)
+    document = mesh_object.Document
+    with freecad_compat.transaction(document, "Quality report"):
+        return quality_report_objects.add_quality_report(document, mesh_object, result, mark, worst)
 
 
 # ------------------------------------------------------------------------------------------ check

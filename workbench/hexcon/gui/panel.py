@@ -10,10 +10,16 @@ from PySide import QtCore, QtGui
 from hexcon_native import ErrorCode
 
 from . import words
+from .overlay import Overlay
 from .work import Work, in_words
 
 translate = FreeCAD.Qt.translate
 STEPS = 1000  # of the progress bar
+
+# Faults whose elements are quads of the surface.
+ABOUT_QUADS = {ErrorCode[name] for name in (
+    "UNFILLABLE_QUAD", "NOT_SWEPT", "NO_SHEETS", "NOT_DICED", "SELF_CROSSING", "BAD_PAIRING",
+    "NO_SMALL_FILLING") if name in ErrorCode.__members__}
 
 # Panels whose work has not ended: a closed one lives until its thread is gone.
 _working = set()
@@ -41,6 +47,7 @@ class Panel:
         self.document_name, self.object_name = about.Document.Name, about.Name
         self._work = None
         self._open = True
+        self.overlay = Overlay(self.document_name)
         self.form = QtGui.QWidget()
         self.form.setObjectName("HexConPanel")
         self.form.setWindowTitle(title)
@@ -91,12 +98,32 @@ class Panel:
             document = f"FreeCAD.getDocument({self.document_name!r})"
         return f"{document}.getObject({self.object_name!r})"
 
+    def select_newest(self):
+        """Select what the recorded call has just made, so that the next command takes it."""
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(FreeCAD.getDocument(self.document_name).Objects[-1])
+
+    def add_solve_button(self, layout):
+        """A button, hidden, that goes on to the panel of loads with the newest object."""
+        def go_on():
+            made = FreeCAD.getDocument(self.document_name).Objects[-1]
+            self.close()
+            from .load_panel import LoadPanel
+            QtCore.QTimer.singleShot(0, lambda: FreeCADGui.Control.showDialog(LoadPanel(made)))
+        button = QtGui.QPushButton(translate("HexCon", "Hold, load and solve ..."))
+        button.setObjectName("solve")
+        button.clicked.connect(go_on)
+        button.hide()
+        layout.addWidget(button)
+        return button
+
     def is_working(self):
         return self._work is not None
 
     def begin(self, job):
         """Run job(progress) in a thread; succeed(result) or words of the fault follow."""
         self.result.clear()
+        self.overlay.hide()
         self._show_stage("start", 0.0)
         self._set_running(True)
         _working.add(self)
@@ -138,7 +165,17 @@ class Panel:
         failed = translate("HexCon", self.failed)
         FreeCAD.Console.PrintWarning(f"HexCon: {failed}: {fault}\n")
         lines = "<br>".join(escape(str(fault)).splitlines())  # gmsh's last words are several
-        self.result.setText(f"<p><b style='color:#b00020'>{escape(failed)}:</b> {lines}</p>")
+        self.result.setText(f"<p><b style='color:#b00020'>{escape(failed)}:</b> {lines}</p>"
+                            + words.as_html(self._show_quads(fault)))
+
+    def _show_quads(self, fault):
+        """Draw the quads at fault into the 3D view; rows of words that list them."""
+        surface = getattr(fault, "surface", None)
+        if surface is None or fault.code not in ABOUT_QUADS or not fault.elements:
+            return []
+        FreeCADGui.Selection.clearSelection()  # its green would hide the red
+        self.overlay.show(surface.points, surface.quads, fault.elements)
+        return [(translate("HexCon", "Marked in red"), words.of_quads(fault.elements))]
 
     def _show_stage(self, stage, fraction):
         if self._open and self.cancel.isEnabled():
@@ -173,6 +210,7 @@ class Panel:
         if not self._open:
             return
         self._open = False
+        self.overlay.hide()
         FreeCAD.removeDocumentObserver(self)
         if self._work is not None:
             self._work.cancel()

@@ -11,6 +11,7 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 # The stages that gmsh's worker and the core report; others are shown under their own name.
 STAGES = {
+    "CalculiX": QT_TRANSLATE_NOOP("HexCon", "CalculiX solves"),
     "start": QT_TRANSLATE_NOOP("HexCon", "Surface: starting gmsh"),
     "load": QT_TRANSLATE_NOOP("HexCon", "Surface: reading the solid"),
     "cap": QT_TRANSLATE_NOOP("HexCon", "Surface: quads of the cap"),
@@ -52,6 +53,20 @@ def as_html(rows):
     """The rows as rich text: paragraphs, as a panel is too narrow for columns."""
     return "".join(f"<p style='margin:0 0 5px 0'><b>{escape(heading)}:</b> {escape(sentence)}</p>"
                    for heading, sentence in rows)
+
+
+def of_surface(surface, facts):
+    """Rows for a quads.QuadSurface and objects.quad_surface.facts_of it."""
+    even = translate("HexCon", "{quads}, an even number: hexes can fill it") if facts["Even"] else \
+        translate("HexCon", "{quads}, an odd number: no hex mesh has such a boundary")
+    rows = [(translate("HexCon", "Quads"), even.format(quads=count(facts["Quads"]))),
+            (translate("HexCon", "Method"), surface.method),
+            (translate("HexCon", "Dual loops"), translate(
+                "HexCon", "{loops}, of which {crossing} cross themselves").format(
+                    loops=count(facts["Loops"]), crossing=count(facts["SelfCrossings"])))]
+    if facts["Genus"] > 0:
+        rows.append((translate("HexCon", "Holes through it"), count(facts["Genus"])))
+    return rows + [(translate("HexCon", "Note"), note) for note in surface.notes]
 
 
 def of_mesh(mesh):
@@ -151,6 +166,19 @@ def of_loops(looped):
 def times(number):
     """How often something happens, in a table."""
     return translate("HexCon", "{count} times").format(count=count(number)) if number else "\u2013"
+
+
+def of_quads(rows):
+    """Quads by their numbers in the surface object, which count from 1."""
+    listed = ", ".join(str(row + 1) for row in rows[:MOST_LISTED])
+    if len(rows) > MOST_LISTED:
+        listed += translate("HexCon", " and {count} more").format(count=len(rows) - MOST_LISTED)
+    return translate("HexCon", "quads {ids}").format(ids=listed)
+
+
+def of_certificate(report):
+    """The judgement of an actions.CheckReport in one sentence."""
+    return _certificate(report.certificate, report.surface_known, report.straight)
 
 
 def _listed(ids):

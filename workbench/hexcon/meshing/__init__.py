@@ -17,7 +17,7 @@ _ABOUT_THE_SURFACE = (ErrorCode.NOT_SWEPT, ErrorCode.NO_SHEETS, ErrorCode.NOT_DI
 # more hexes, somewhat better ones, and takes twice as long to improve.
 _FINE, _FINE_TRIANGLES, _COARSE = 0.5, 1000, 1.0
 
-__all__ = ["mesh_quad_surface", "mesh_solid", "mesh_surface"]
+__all__ = ["mesh_quad_surface", "mesh_solid", "mesh_surface", "raising"]
 
 
 def mesh_surface(points, quads, method="auto", *, timeout=120.0, progress=None, **options):
@@ -54,18 +54,23 @@ def _gmsh_tetrahedra(timeout, progress, said):
 
 def _as_one_stage(progress):
     """gmsh's stages are not the surface's of the same names: they are all "tetrahedra inside"."""
-    report = _raising(progress)
+    report = raising(progress)
     return report and (lambda _, fraction: report("tetrahedra inside", fraction))
 
 
 def mesh_quad_surface(surface, method="auto", **options):
-    """As mesh_surface for a quads.QuadSurface; the mesh gets .surface and .face_of_quad."""
+    """As mesh_surface for a quads.QuadSurface; the mesh gets .surface and .face_of_quad.
+
+    A fault of the core has the surface as its .surface: where .elements are quads, they are its rows.
+    """
     try:
         mesh = mesh_surface(surface.points, surface.quads, method, **options)
     except HexconError as fault:
+        fault.surface = surface
         if fault.code in _ABOUT_THE_SURFACE and surface.notes:
-            raise HexconError(f"{fault} (the surface: {'; '.join(surface.notes)})", fault.code,
-                              fault.elements) from fault
+            told = HexconError(f"{fault} (the surface: {'; '.join(surface.notes)})", fault.code, fault.elements)
+            told.surface = surface
+            raise told from fault
         raise
     mesh.surface = surface
     mesh.face_of_quad = surface.face_of_quad
@@ -95,7 +100,7 @@ def mesh_solid(shape_or_file, size, *, surface_method="auto", method="auto", tim
                                            if name in options})
     started = time.monotonic()
     surface = surface_from_solid(shape_or_file, size, surface_method, timeout=timeout,
-                                 progress=_raising(progress))
+                                 progress=raising(progress))
     seconds = time.monotonic() - started
     mesh = mesh_quad_surface(surface, method, timeout=timeout, progress=progress, **options)
     mesh.solid = shape_or_file
@@ -103,8 +108,8 @@ def mesh_solid(shape_or_file, size, *, surface_method="auto", method="auto", tim
     return mesh
 
 
-def _raising(progress):
-    """The surface's progress cancels by exception only: turn a False into one."""
+def raising(progress):
+    """A progress for surfaces, which cancel by exception only: a False is turned into one."""
     if progress is None:
         return None
 

@@ -1,0 +1,900 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<!-- SPDX-License-Identifier: LGPL-2.1-or-later -->
+<TS version="2.1">
+<context>
+    <name>HexCon</name>
+    <message>
+        <source>HexCon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexahedral meshes that keep a given quad surface, certified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certify hex mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark hexes that are not positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HexCon cannot work yet: its native core is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run the command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in the folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Python says: {words}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meshes ({endings})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>swept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>diced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>four-split</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pyramid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pyramid, alternative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>geode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>geode, alternative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pillowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smallest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{method} (topology only)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the surface is filled with hexes: swept from cap to cap, or cells, which fill any convex or star-shaped body with many more hexes; automatic sweeps where it can. Topology only: to look at; no solver must be given such a mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Topology only: not for solving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a FEM mesh object although some of its Jacobians are zero or negative; the object is marked as topological</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At least so many layers of plain hexes under the surface; a swept mesh has none, so that automatic then takes cells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After this time the best mesh found until then is taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this method gives topology only: some Jacobians are zero or negative, so CalculiX must not be given its mesh. Choose method cells, or tick "{tick}" to get it anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hex mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}, {quads} quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mesh anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about {count} hexes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the quads changed while they were filled; press Mesh again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many hexahedra have which scaled Jacobian: 1 is a cube's, 0 or less no solver should be given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>highest bar: {count} hexes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scaled Jacobian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inspect hex mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plane's normal; each hexahedron stays or goes as a whole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layers of hexahedra to take away, from the boundary inwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draws each hexahedron smaller, so that they stand apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Explode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut away what hides the chosen hexahedron</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Worst</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Element</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scaled Jacobian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not solved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold, load and solve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This mesh has no solid whose faces could be clicked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click faces of the solid in the 3D view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loaded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>along {axis}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no face is held: press Held and click one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no face is loaded: press Loaded and click one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mesh is gone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Solved.&lt;/b&gt; Displacement at most {length:.4g} mm, von Mises stress at most {stress:.4g} MPa. The analysis in the tree has everything; the FEM workbench changes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show dual loops</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairs of quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every quad with one neighbour as its partner: the paired partition that cells are built on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crosses itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a loop to draw it thick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hex mesh from solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about {swept} hexes swept, {cells} in cells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the solid changed while it was meshed; press Mesh again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold, load and solve ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelled. The document is unchanged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marked in red</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Python with gmsh (empty: sought)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CalculiX, ccx (empty: sought)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Programs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Defaults of the panels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check what is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one per processor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HexCon's menu in the FEM workbench too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blocks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>subdivided quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>subdivided triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blossom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>transfinite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wanted length of the edges of the hexahedra</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the surface is meshed with quads: swept from cap to cap; in blocks, for round solids and those with three edges at each corner; or by gmsh, for any solid. Automatic takes the first that can be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quad surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Update quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the quads were made from is gone; they stay as they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CalculiX solves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface: starting gmsh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface: reading the solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface: quads of the cap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface: quads of the walls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface: quads by gmsh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface: distance from the solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: looking for sweeps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: pairing quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: tetrahedra inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: measuring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: untangling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: placing points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: improving the worst</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificate: neighbourhoods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificate: pairs of hexes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificate: Jacobians</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>first order (C3D8)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>second order (C3D20)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{quads}, an even number: hexes can fill it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{quads}, an odd number: no hex mesh has such a boundary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dual loops</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{loops}, of which {crossing} cross themselves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holes through it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{quads} quads, method {method}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tried</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gmsh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>swept, {cap} cap quads × {rings} rings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{sheets} sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>diced, {triangles} coarse triangles, {quads} coarse quads, {tetrahedra} tetrahedra inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cells, {layers} layers, {tetrahedra} tetrahedra inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; {number:.1f} hexes a quad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Topological</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>topology only: the hexes meet face to face and end in exactly the quads, but some of their Jacobians are zero or negative. Not for solving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boundary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{quads} quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mesh keeps no face groups that cover its boundary, so the boundary could not be compared with a surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>some edges are curved; hexes were judged by their corners, as if their edges were straight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{kept} of {all} hexes, {faces} faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} from the boundary to the core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>even: hexes can fill it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ODD: no hex mesh has such a boundary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{quads} quads, {even}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count}; crossing themselves: {crossing}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and {count} more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>quads {ids}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not positive: {ids}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>min {min:.3f}, 5 % {q05:.3f}, mean {mean:.3f}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every Jacobian is proved positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every Jacobian would be positive with straight edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mesh is proper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its boundary exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>certified: </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} hexes are not proved positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not conforming</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} hexes meet others improperly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its boundary is not the given one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NOT certified: </source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HexCon_Check</name>
+    <message>
+        <source>Certify hex mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Prove that every hexahedron of the selected FEM mesh is valid, or show those that are not</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HexCon_Examples</name>
+    <message>
+        <source>Box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wedge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bracket</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shaft segment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Schneiders' pyramid, 16 quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quadrilateral octahedron, 8 quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eppstein's cube, 16 quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eppstein's cube, 18 quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eppstein's cube, 20 quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eppstein's cube, 22 quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a part or a surface of the literature in a document of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HexCon_HexMesh</name>
+    <message>
+        <source>Hex mesh from quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill the selected quad surface with certified hexahedra whose boundary is exactly its quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HexCon_Import</name>
+    <message>
+        <source>Import quad surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the quads of a mesh file: .msh .inp .unv .vtk .vtu .obj .mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HexCon_Inspect</name>
+    <message>
+        <source>Inspect hex mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look into the selected FEM mesh: cut it, peel layers off, see the scaled Jacobians and the worst hexahedra</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HexCon_IntoAnalysis</name>
+    <message>
+        <source>Into analysis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the selected hex mesh into the active analysis of the FEM workbench, or make one with a CalculiX solver, steel, and constraints to fill in</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HexCon_Loops</name>
+    <message>
+        <source>Show dual loops</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw the dual loops of the selected quad surface, or of the boundary of the selected hex mesh, and where they cross themselves</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HexCon_MeshSolid</name>
+    <message>
+        <source>Hex mesh from solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill the selected solid with certified hexahedra for the FEM workbench: select one object with one solid, or a face of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HexCon_QuadSurface</name>
+    <message>
+        <source>Quad surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mesh the surface of the selected solid with quads, or take the quads of the selected FEM mesh; see them before they are made</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HexCon_Quality</name>
+    <message>
+        <source>Quality report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An object with the least, 5 % and mean scaled Jacobian of the selected FEM mesh, its worst elements and its certificate; it follows the mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HexCon_Solve</name>
+    <message>
+        <source>Hold, load and solve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a face that is held and one that is loaded; CalculiX solves, and the displacements are shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>HexCon</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>

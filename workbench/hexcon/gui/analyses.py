@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The hex mesh in the FEM workbench: into an analysis, solved, and its displacements shown.
+
+These are calls for macros; hexcon.gui.actions has them too.
+"""
+import sys
+
+import hexcon
+from hexcon import freecad_compat, preferences
+from hexcon.calculix.material import material_of
+from hexcon.errors import FaultCode, ToolError
+from hexcon.topological import refuse_topological
+
+SHOWN = 0.1  # of the model's diagonal: how large the largest displacement is drawn
+
+
+def into_analysis(mesh_object, *, allow_topological=False):
+    """Put a hex mesh object into the active analysis; without one, make it, with a CalculiX
+    solver, steel, and a fixed and a force constraint whose faces the user fills in.
+
+    Returns the analysis. One undo step. Raises ToolError: TOPOLOGICAL_MESH, BAD_MESH where the
+    analysis has another mesh already, FREECAD_MISSING.
+    """
+    refuse_topological(mesh_object, allow_topological)
+    document, analysis = mesh_object.Document, _active_analysis(mesh_object.Document)
+    if analysis is not None:
+        others = [member.Label for member in analysis.Group
+                  if member.isDerivedFrom("Fem::FemMeshObject") and member != mesh_object]
+        if others:
+            raise ToolError(f"{analysis.Label} has a mesh already ({', '.join(others)}), and CalculiX takes "
+                            "one: delete it or take it out first", FaultCode.BAD_MESH)
+    with freecad_compat.transaction(document, "Into analysis"):
+        if analysis is None:
+            analysis = _new_analysis(document)
+        if mesh_object not in analysis.Group:
+            analysis.addObject(mesh_object)
+        document.recompute()
+    _activate(analysis)
+    return analysis
+
+
+def _active_analysis(document):
+    """The document's active analysis; without a window its only one."""
+    if sys.modules.get("FreeCADGui") and freecad_compat.freecad().GuiUp:
+        found = freecad_compat.fem_module("FemGui").getActiveAnalysis()
+        return found if found is not None and found.Document == document else None
+    all_of_them = [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemAnalysis")]
+    return all_of_them[0] if len(all_of_them) == 1 else None
+
+
+def _activate(analysis):
+    if analysis.ViewObject is not None:
+        freecad_compat.fem_module("FemGui").setActiveAnalysis(analysis)
+
+
+def _new_analysis(document):
+    objects = freecad_compat.fem_module("ObjectsFem")
+    analysis = objects.makeAnalysis(document, "Analysis")
+    material = objects.makeMaterialSolid(document, "Material")
+    material.Material = material_of(None).card()
+    for member in (freecad_compat.make_ccx_solver(document), material,
+                   objects.makeConstraintFixed(document, "ConstraintFixed"),
+                   objects.makeConstraintForce(document, "ConstraintForce")):
+        analysis.addObject(member)
+    return analysis
+
+
+def load_and_solve(mesh_object, held, force, *, allow_topological=False):
+    """Hold and load CAD faces of the mesh's solid, solve in CalculiX, show the displacements.
+
+    held   names of the faces that are held, ["Face1", ...]
+    force  {"Face2": (fx, fy, fz)}: the total force on each face, N
+    Returns a calculix.Result. One undo step; on failure the document is as it was. Raises
+    ToolError: those of hexcon.solve, BAD_SHAPE where the mesh has no solid any more.
+    """
+    solid = freecad_compat.solid_of_mesh_object(mesh_object)
+    if solid is None:
+        raise ToolError(f"{mesh_object.Label} has no solid (any more), whose faces could be held and "
+                        "loaded", FaultCode.BAD_SHAPE)
+    in_window = mesh_object.ViewObject is not None
+    if in_window:
+        from .waiting import run
+    result = hexcon.solve(mesh_object.Document, mesh_object, solid, fixed=list(held), force=dict(force),
+                          threads=preferences.value("Threads") or None, allow_topological=allow_topological,
+                          waiting=run if in_window else None)
+    if in_window:
+        show_displacement(result.document_object)
+    return result
+
+
+def show_displacement(result_object):
+    """Colour the result's mesh by displacement, blue to red, and draw it bent; returns the factor.
+
+    The largest displacement is drawn as a tenth of the model's size. A matter of the view alone.
+    """
+    mesh_object = result_object.Mesh
+    view, lengths = mesh_object.ViewObject, result_object.DisplacementLengths
+    numbers = list(result_object.NodeNumbers)
+    for other in mesh_object.Document.Objects:
+        if hasattr(other, "ViewObject") and (other.isDerivedFrom("Fem::FemMeshObject") or hasattr(other, "Shape")):
+            other.ViewObject.Visibility = other == mesh_object
+    box = mesh_object.FemMesh.BoundBox
+    largest = max(lengths, default=0.0)
+    factor = SHOWN * box.DiagonalLength / largest if largest > 0.0 else 0.0
+    # FreeCAD's scale has zero in its green middle: shifted, nothing is blue and the largest red
+    view.setNodeColorByScalars(numbers, [2.0 * length - largest for length in lengths])
+    view.setNodeDisplacementByVectors(numbers, list(result_object.DisplacementVectors))
+    view.applyDisplacement(factor)
+    view.Visibility = True
+    return factor

@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The widgets that say how a quad surface is filled: method, layers, order, time budget."""
+import FreeCAD
+from PySide import QtGui
+
+from hexcon.errors import FaultCode, ToolError
+from hexcon_native import METHODS, TOPOLOGICAL_METHODS
+
+from . import words
+
+translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+METHOD_WORDS = {
+    "auto": QT_TRANSLATE_NOOP("HexCon", "automatic"),
+    "swept": QT_TRANSLATE_NOOP("HexCon", "swept"),
+    "cells": QT_TRANSLATE_NOOP("HexCon", "cells"),
+    "sheets": QT_TRANSLATE_NOOP("HexCon", "sheets"),
+    "diced": QT_TRANSLATE_NOOP("HexCon", "diced"),
+    "four-split": QT_TRANSLATE_NOOP("HexCon", "four-split"),
+    "pyramid": QT_TRANSLATE_NOOP("HexCon", "pyramid"),
+    "pyramid-alt": QT_TRANSLATE_NOOP("HexCon", "pyramid, alternative"),
+    "geode": QT_TRANSLATE_NOOP("HexCon", "geode"),
+    "geode-alt": QT_TRANSLATE_NOOP("HexCon", "geode, alternative"),
+    "pillowed": QT_TRANSLATE_NOOP("HexCon", "pillowed"),
+    "smallest": QT_TRANSLATE_NOOP("HexCon", "smallest"),
+}
+LAYERED_METHODS = ("auto", "cells")
+MOST_LAYERS = 10
+LONGEST_BUDGET = 86400  # seconds
+CELL_HEXES = 45  # hexes a quad in cells and the tetrahedra below them, without layers: for a guess
+DICED_HEXES = 10  # the same of diced subdivided quads: of subdivided triangles it is 3
+# The same of the topological methods that always make as many.
+TOPOLOGICAL_HEXES = {"pyramid": 76, "pyramid-alt": 58, "geode": 130, "geode-alt": 112}
+
+
+def narrow_box(name):
+    """A combo box that does not push the panel's right edge out of FreeCAD's narrow dock."""
+    box = QtGui.QComboBox()
+    box.setObjectName(name)
+    box.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+    box.setMinimumContentsLength(8)
+    return box
+
+
+def choice_of(name, choices, said):
+    """A narrow box with these choices, under their names in words."""
+    box = narrow_box(name)
+    for choice in choices:
+        box.addItem(translate("HexCon", said.get(choice, choice)), choice)
+    return box
+
+
+def choose(box, data):
+    """Select the choice with this data; an unknown one leaves the box as it is."""
+    row = box.findData(data)
+    if row >= 0:
+        box.setCurrentIndex(row)
+
+
+def _choice_of_method():
+    """The methods whose meshes can be solved, then those of topology only, marked as such."""
+    box = choice_of("method", sorted(METHODS, key=lambda method: method in TOPOLOGICAL_METHODS),
+                    METHOD_WORDS)
+    for row in range(box.count()):
+        if box.itemData(row) in TOPOLOGICAL_METHODS:
+            box.setItemText(row, translate("HexCon", "{method} (topology only)").format(
+                method=box.itemText(row)))
+    box.view().setMinimumWidth(box.view().sizeHintForColumn(0))  # the list may be wider than the box
+    return box
+
+
+class Filling:
+    """The widgets; on_change is called without arguments after every change."""
+
+    def __init__(self, on_change=lambda: None):
+        self.on_change = on_change
+        self.method = _choice_of_method()
+        self.method.setToolTip(translate(
+            "HexCon", "How the surface is filled with hexes: swept from cap to cap, or cells, which "
+            "fill any convex or star-shaped body with many more hexes; automatic sweeps where it "
+            "can. Topology only: to look at; no solver must be given such a mesh"))
+        self.order = choice_of("order", words.ORDERS, words.ORDERS)
+        self._make_numbers()
+        self.allow_topological = QtGui.QCheckBox(translate(
+            "HexCon", "Topology only: not for solving"))
+        self.allow_topological.setObjectName("allow_topological")
+        self.allow_topological.setToolTip(translate(
+            "HexCon", "Make a FEM mesh object although some of its Jacobians are zero or negative; "
+            "the object is marked as topological"))
+        self.allow_topological.hide()
+        self.method.currentIndexChanged.connect(self.follow_method)
+
+    def _make_numbers(self):
+        self.layers = QtGui.QSpinBox()
+        self.layers.setObjectName("layers")
+        self.layers.setRange(0, MOST_LAYERS)
+        self.layers.setToolTip(translate(
+            "HexCon", "At least so many layers of plain hexes under the surface; a swept mesh has "
+            "none, so that automatic then takes cells"))
+        self.layers.valueChanged.connect(lambda _: self.on_change())
+        self.budget = QtGui.QSpinBox()
+        self.budget.setObjectName("budget")
+        self.budget.setRange(0, LONGEST_BUDGET)
+        self.budget.setSuffix(translate("HexCon", " s"))
+        self.budget.setSpecialValueText(translate("HexCon", "no limit"))
+        self.budget.setToolTip(translate(
+            "HexCon", "After this time the best mesh found until then is taken"))
+
+    def add_to(self, rows):
+        """Add the widgets to a QFormLayout."""
+        rows.addRow(translate("HexCon", "Method"), self.method)
+        rows.addRow(translate("HexCon", "Layers"), self.layers)
+        rows.addRow(translate("HexCon", "Order"), self.order)
+        rows.addRow(translate("HexCon", "Time limit"), self.budget)
+        rows.addRow(self.allow_topological)
+
+    def follow_method(self, *_):
+        """Show what matters for the method."""
+        method = self.method.currentData()
+        self.layers.setEnabled(method in LAYERED_METHODS)
+        topological = method in TOPOLOGICAL_METHODS
+        self.allow_topological.setVisible(topological)
+        if not topological:  # what nobody sees is not ticked for the next time
+            self.allow_topological.setChecked(False)
+        self.on_change()
+
+    def settings(self):
+        """dict: method, layers, order, budget, as the calls of actions.py take them."""
+        method = self.method.currentData()
+        return {"method": method,
+                "layers": self.layers.value() if method in LAYERED_METHODS else 0,
+                "order": self.order.currentData(), "budget": float(self.budget.value())}
+
+    def show_settings(self, method, layers, order, budget, allow_topological=False):
+        """Set the widgets."""
+        choose(self.method, method)
+        self.layers.setValue(layers)
+        choose(self.order, order)
+        self.budget.setValue(int(budget))
+        self.allow_topological.setChecked(allow_topological)
+
+    def allowed(self):
+        return self.allow_topological.isChecked()
+
+    def refuse_topological(self):
+        """Raise ToolError(TOPOLOGICAL_MESH) for a topological method without the tick."""
+        if self.method.currentData() in TOPOLOGICAL_METHODS and not self.allowed():
+            raise ToolError(translate(
+                "HexCon", "this method gives topology only: some Jacobians are zero or negative, "
+                "so CalculiX must not be given its mesh. Choose method cells, or tick \"{tick}\" "
+                "to get it anyway").format(tick=self.allow_topological.text()),
+                FaultCode.TOPOLOGICAL_MESH)
+
+    def enable(self, enabled):
+        for widget in (self.method, self.layers, self.order, self.budget, self.allow_topological):
+            widget.setEnabled(enabled)
+        if enabled:
+            self.follow_method()
+
+    def hexes_a_quad(self):
+        """A guess for methods that are no sweep; None where there is none."""
+        settings = self.settings()
+        method = settings["method"]
+        if method == "diced":
+            return DICED_HEXES
+        if method in TOPOLOGICAL_METHODS:
+            return TOPOLOGICAL_HEXES.get(method)
+        return CELL_HEXES + settings["layers"]
+
+
+def guess(number):
+    """A number of hexes that is not known better than to two digits, in words."""
+    return words.count(max(1, round(float(f"{number:.2g}"))))
+
+
+def written(settings, allowed=False):
+    """The settings as keywords in a Python call; what has its default value is left out but for
+    method, layers and order."""
+    said = [f"method={settings['method']!r}", f"layers={settings['layers']!r}", f"order={settings['order']!r}"]
+    if settings["budget"]:
+        said.append(f"budget={settings['budget']!r}")
+    if allowed:
+        said.append("allow_topological=True")
+    return ", ".join(said)

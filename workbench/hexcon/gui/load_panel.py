@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel "Hold, load and solve": two clicks on faces, and the displacements."""
+import os
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtGui
+
+from hexcon import freecad_compat
+from hexcon.errors import FaultCode, ToolError
+
+from . import recording
+from .commands import ROOT
+from .filling import narrow_box
+from .panel import Panel
+from .work import in_words
+
+translate = FreeCAD.Qt.translate
+FORCE = 1000.0  # N
+AXES = {"x": (1, 0, 0), "-x": (-1, 0, 0), "y": (0, 1, 0), "-y": (0, -1, 0), "z": (0, 0, 1), "-z": (0, 0, -1)}
+
+
+class LoadPanel(Panel):
+    """Faces clicked in the 3D view are held, or loaded, as the upper buttons say."""
+
+    failed = FreeCAD.Qt.QT_TRANSLATE_NOOP("HexCon", "Not solved")
+
+    def __init__(self, mesh_object):
+        self.solid = freecad_compat.solid_of_mesh_object(mesh_object)
+        self.faces, self.solved = {"held": [], "loaded": []}, False
+        super().__init__(mesh_object, translate("HexCon", "Hold, load and solve"),
+                         os.path.join(ROOT, "resources", "icons", "HexCon_Solve.svg"))
+        if self.solid is None:
+            self.solve.setEnabled(False)
+            self.result.setText(translate("HexCon", "This mesh has no solid whose faces could be clicked."))
+        else:  # its faces must be there to be clicked
+            mesh_object.ViewObject.Visibility = False
+            self.solid.ViewObject.Visibility = True
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addObserver(self)
+
+    def fill(self, layout):
+        advice = QtGui.QLabel(translate("HexCon", "Click faces of the solid in the 3D view"))
+        advice.setWordWrap(True)
+        layout.addWidget(advice)
+        rows = QtGui.QFormLayout()
+        self.pick, self.listed = {}, {}
+        for kind, text in (("held", translate("HexCon", "Held")), ("loaded", translate("HexCon", "Loaded"))):
+            self.pick[kind], self.listed[kind] = QtGui.QPushButton(text), QtGui.QLabel("-")
+            self.pick[kind].setObjectName(kind)
+            self.pick[kind].setCheckable(True)
+            self.pick[kind].setAutoExclusive(True)
+            self.listed[kind].setObjectName(f"{kind}_faces")
+            self.listed[kind].setWordWrap(True)
+            rows.addRow(self.pick[kind], self.listed[kind])
+        self.pick["held"].setChecked(True)
+        self._make_force(rows)
+        layout.addLayout(rows)
+        self.solve = QtGui.QPushButton(translate("HexCon", "Solve"))
+        self.solve.setObjectName("run")
+        self.solve.clicked.connect(self.on_solve)
+        layout.addWidget(self.solve)
+
+    def _make_force(self, rows):
+        self.force = QtGui.QDoubleSpinBox()
+        self.force.setObjectName("force")
+        self.force.setRange(0.0, 1e12)
+        self.force.setSuffix(" N")
+        self.force.setValue(FORCE)
+        self.force.setMinimumWidth(60)
+        self.axis = narrow_box("axis")
+        for name, vector in AXES.items():
+            self.axis.addItem(translate("HexCon", "along {axis}").format(axis=name), vector)
+        self.axis.setCurrentIndex(self.axis.count() - 1)
+        rows.addRow(translate("HexCon", "Force"), self.force)
+        rows.addRow("", self.axis)
+
+    # FreeCAD's selection observer
+    def addSelection(self, document, name, part, position):
+        if self.solid is None or (document, name) != (self.document_name, self.solid.Name) \
+                or not part.startswith("Face"):
+            return
+        kind = "held" if self.pick["held"].isChecked() else "loaded"
+        faces = self.faces[kind]
+        if part in faces:
+            faces.remove(part)  # a second click takes it back
+        else:
+            faces.append(part)
+        self.listed[kind].setText(", ".join(faces) or "-")
+
+    def on_solve(self):
+        self.result.clear()
+        try:
+            self._solve()
+        except Exception as error:
+            fault = in_words(error)
+            self.show_fault(fault)
+
+    def _solve(self):
+        for kind, text in (("held", translate("HexCon", "no face is held: press Held and click one")),
+                           ("loaded", translate("HexCon", "no face is loaded: press Loaded and click one"))):
+            if not self.faces[kind]:
+                raise ToolError(text, FaultCode.BAD_OPTION)
+        if self.about() is None:
+            raise ToolError(translate("HexCon", "the mesh is gone"), FaultCode.BAD_MESH)
+        share = self.force.value() / len(self.faces["loaded"])
+        vector = tuple(share * part for part in self.axis.currentData())
+        force = {face: vector for face in self.faces["loaded"]}
+        FreeCADGui.Selection.clearSelection()
+        result = recording.run("load_and_solve", f"{self.reference()}, {self.faces['held']!r}, {force!r}")
+        self.solved = True
+        self.result.setText(translate(
+            "HexCon", "<b>Solved.</b> Displacement at most {length:.4g} mm, von Mises stress at most "
+            "{stress:.4g} MPa. The analysis in the tree has everything; the FEM workbench changes it.").format(
+                length=result.max_displacement, stress=float(result.von_mises.max())))
+
+    def close(self):
+        if self._open:
+            FreeCADGui.Selection.removeObserver(self)
+            mesh_object = self.about()
+            if not self.solved and mesh_object is not None and self.solid is not None:
+                mesh_object.ViewObject.Visibility = True
+                self.solid.ViewObject.Visibility = False
+        super().close()

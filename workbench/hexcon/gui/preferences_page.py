@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""HexCon's page in FreeCAD's preferences. InitGui.py registers it by way of commands.py."""
+from html import escape
+
+import FreeCAD
+from PySide import QtGui
+
+from hexcon import preferences
+from hexcon.quads import METHODS as SURFACE_METHODS
+from hexcon_native import METHODS, TOPOLOGICAL_METHODS
+
+from . import filling, sizing, words
+from .setup_check import check_setup
+
+translate = FreeCAD.Qt.translate
+FEM_CCX = "User parameter:BaseApp/Preferences/Mod/Fem/Ccx"  # one truth: the FEM workbench's
+
+
+def build(form):
+    """Fill the page's widget; returns functions (load, save)."""
+    form.setWindowTitle(translate("HexCon", "General"))
+    layout = QtGui.QVBoxLayout(form)
+    programs, fields = QtGui.QFormLayout(), _fields()
+    programs.addRow(translate("HexCon", "Python with gmsh (empty: sought)"), fields["GmshPython"])
+    programs.addRow(translate("HexCon", "CalculiX, ccx (empty: sought)"), fields["ccx"])
+    programs.addRow(translate("HexCon", "Threads"), fields["Threads"])
+    layout.addWidget(_group(translate("HexCon", "Programs"), programs))
+    defaults = QtGui.QFormLayout()
+    defaults.addRow(translate("HexCon", "Surface"), fields["SurfaceMethod"])
+    defaults.addRow(translate("HexCon", "Method"), fields["Method"])
+    defaults.addRow(translate("HexCon", "Order"), fields["Order"])
+    defaults.addRow(fields["FemMenu"])
+    layout.addWidget(_group(translate("HexCon", "Defaults of the panels"), defaults))
+    found = QtGui.QLabel()
+    found.setObjectName("setup")
+    found.setWordWrap(True)
+    button = QtGui.QPushButton(translate("HexCon", "Check what is there"))
+    button.setObjectName("check_setup")
+
+    def check():
+        _save(fields)
+        found.setText(findings_in_words())
+    button.clicked.connect(check)
+    layout.addWidget(button)
+    layout.addWidget(found)
+    layout.addStretch()
+    return lambda: _load(fields), lambda: _save(fields)
+
+
+def _group(title, layout):
+    box = QtGui.QGroupBox(title)
+    box.setLayout(layout)
+    return box
+
+
+def _fields():
+    solved = [method for method in METHODS if method not in TOPOLOGICAL_METHODS]
+    threads = QtGui.QSpinBox()
+    threads.setRange(0, 1024)
+    threads.setSpecialValueText(translate("HexCon", "one per processor"))
+    fields = {"GmshPython": QtGui.QLineEdit(), "ccx": QtGui.QLineEdit(), "Threads": threads,
+              "SurfaceMethod": filling.choice_of("SurfaceMethod", SURFACE_METHODS, sizing.METHOD_WORDS),
+              "Method": filling.choice_of("Method", solved, filling.METHOD_WORDS),
+              "Order": filling.choice_of("Order", words.ORDERS, words.ORDERS),
+              "FemMenu": QtGui.QCheckBox(translate("HexCon", "HexCon's menu in the FEM workbench too"))}
+    for name, field in fields.items():
+        field.setObjectName(name)
+    return fields
+
+
+def _load(fields):
+    for name, field in fields.items():
+        value = _ccx() if name == "ccx" else preferences.value(name)
+        if isinstance(field, QtGui.QLineEdit):
+            field.setText(value)
+        elif isinstance(field, QtGui.QSpinBox):
+            field.setValue(value)
+        elif isinstance(field, QtGui.QCheckBox):
+            field.setChecked(value)
+        else:
+            filling.choose(field, value)
+
+
+def _save(fields):
+    for name, field in fields.items():
+        if name == "ccx":
+            _set_ccx(field.text().strip())
+        elif isinstance(field, QtGui.QLineEdit):
+            preferences.set_value(name, field.text().strip())
+        elif isinstance(field, QtGui.QSpinBox):
+            preferences.set_value(name, field.value())
+        elif isinstance(field, QtGui.QCheckBox):
+            preferences.set_value(name, field.isChecked())
+        else:
+            preferences.set_value(name, field.currentData())
+
+
+def _ccx():
+    group = FreeCAD.ParamGet(FEM_CCX)
+    return "" if group.GetBool("UseStandardCcxLocation", True) else group.GetString("ccxBinaryPath", "")
+
+
+def _set_ccx(path):
+    if path != _ccx():
+        group = FreeCAD.ParamGet(FEM_CCX)
+        group.SetBool("UseStandardCcxLocation", not path)
+        group.SetString("ccxBinaryPath", path)
+
+
+def findings_in_words():
+    """What check_setup found, as rich text."""
+    lines = []
+    for finding in check_setup():
+        mark = "<b style='color:#2e7d32'>\u2713</b>" if finding.present else "<b style='color:#b00020'>\u2717</b>"
+        lines.append(f"{mark} <b>{escape(finding.name)}</b>: {escape(finding.words)}")
+    return "<br>".join(lines)

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The document object "quad surface": a FEM mesh of quads, one face group for each CAD face."""
+import os
+
+import numpy as np
+
+import hexcon_native
+from hexcon import examples, freecad_compat
+from hexcon.errors import FaultCode, ToolError
+from hexcon.femmesh.convert import add_group
+from hexcon.meshing import raising
+from hexcon.quads import METHODS, QuadSurface, surface_from_file, surface_from_object, surface_from_solid
+
+from .parametric import Parametric, fingerprint, is_a, new_mesh_object, set_changed, solid_shape
+
+TIMEOUT = 3600.0  # seconds for gmsh: in the window the user stops it, not the clock
+
+PROPERTIES = (
+    ("App::PropertyLink", "Source", "HexCon", "The solid whose surface is meshed with quads, or a "
+     "FEM mesh whose quads are taken", None, False),
+    ("App::PropertyString", "File", "HexCon", "The mesh file that the quads are read from", "", False),
+    ("App::PropertyString", "Example", "HexCon", "Name of the example surface", "", False),
+    ("App::PropertyLength", "Size", "HexCon", "Wanted length of the quads' edges, for a solid", 1.0, False),
+    ("App::PropertyEnumeration", "Method", "HexCon", "How a solid's surface is meshed with quads", METHODS, False),
+    ("App::PropertyInteger", "Quads", "Result", "Number of quads", 0, True),
+    ("App::PropertyBool", "Even", "Result", "The number of quads is even; only then is there a hex mesh", False, True),
+    ("App::PropertyInteger", "Loops", "Result", "Number of dual loops", 0, True),
+    ("App::PropertyInteger", "SelfCrossings", "Result", "Number of loops that cross themselves", 0, True),
+    ("App::PropertyInteger", "Genus", "Result", "Number of holes through the body; -1: unknown", 0, True),
+    ("App::PropertyString", "MethodUsed", "Result", "The method that made the quads", "", True),
+    ("App::PropertyStringList", "Notes", "Result", "What is to be known of the quads", None, True),
+)
+
+
+def job_of(source=None, file="", example="", size=1.0, method="auto"):
+    """(fingerprint, job(progress) -> QuadSurface) of one source; None where there is none.
+
+    source is a document object, file the path of a mesh file, example a name that
+    hexcon.example knows. Raises HexconError for a source that cannot be read.
+    """
+    if source is not None and hasattr(source, "FemMesh"):
+        found = surface_from_object(source)
+        return fingerprint("mesh", found.points, found.quads), lambda progress: found
+    if source is not None:
+        shape = solid_shape(source)
+        mark = fingerprint("solid", shape.exportBrepToString(), float(size), method)
+        return mark, lambda progress: surface_from_solid(
+            shape, size, method, timeout=TIMEOUT, progress=raising(progress))
+    if example:
+        return fingerprint("example", example), lambda progress: examples.example(example)
+    if file:
+        return _file_mark(file), lambda progress: surface_from_file(file)
+    return None
+
+
+def _file_mark(path):
+    try:
+        return fingerprint("file", os.path.basename(path), os.stat(path).st_size, os.stat(path).st_mtime_ns)
+    except OSError as error:
+        raise ToolError(f"cannot read {path}: {error.strerror}", FaultCode.FILE_IO) from error
+
+
+class QuadSurfaceObject(Parametric):
+    """Proxy of a quad surface. Saved documents name this class: never rename or move it."""
+
+    Type = "HexCon::QuadSurface"
+    PROPERTIES = PROPERTIES
+
+    def inputs(self, obj):
+        return job_of(obj.Source, obj.File, obj.Example, obj.Size.Value, obj.Method)
+
+    def store(self, obj, result):
+        facts = facts_of(result)
+        obj.FemMesh = to_quad_femmesh(result)
+        set_changed(obj, {**facts, "MethodUsed": result.method, "Notes": list(result.notes)})
+
+
+def facts_of(surface):
+    """dict of the counts that the panel and the object show; an odd surface has them too."""
+    report = hexcon_native.check_surface(surface.points, surface.quads)
+    return {"Quads": report.n, "Even": bool(report.even), "Loops": len(report.loops.lengths),
+            "SelfCrossings": int(np.count_nonzero(report.loops.self_crossings)),
+            "Genus": -1 if report.genus is None else int(report.genus)}
+
+
+def to_quad_femmesh(surface):
+    """Fem.FemMesh of a QuadSurface: node i+1 is point i, face k+1 quad k, groups Face1, ..."""
+    femmesh = freecad_compat.fem_module("Fem").FemMesh()
+    for node, (x, y, z) in enumerate(surface.points.tolist(), 1):
+        femmesh.addNode(x, y, z, node)
+    for face, nodes in enumerate((surface.quads + 1).tolist(), 1):
+        femmesh.addFace(nodes, face)
+    for number in np.unique(surface.face_of_quad[surface.face_of_quad > 0]).tolist():
+        add_group(femmesh, f"Face{number}", "Face", np.flatnonzero(surface.face_of_quad == number) + 1)
+    return femmesh
+
+
+def surface_of(obj):
+    """The QuadSurface in a quad surface object, quads in the order of their face numbers.
+
+    Raises ToolError(BAD_SHAPE) where the object holds no quads yet.
+    """
+    femmesh = obj.FemMesh
+    faces = femmesh.Faces
+    if not faces:
+        raise ToolError(f"{obj.Label} holds no quads", FaultCode.BAD_SHAPE)
+    nodes = femmesh.Nodes
+    ids = sorted(nodes)
+    row = {node: k for k, node in enumerate(ids)}
+    points = np.array([tuple(nodes[node]) for node in ids])
+    quads = np.array([[row[node] for node in femmesh.getElementNodes(face)] for face in faces])
+    face_of_quad = np.zeros(len(quads), np.int64)
+    rank = {face: k for k, face in enumerate(faces)}
+    for group in femmesh.Groups:
+        number = int(femmesh.getGroupName(group)[len("Face"):])
+        face_of_quad[[rank[face] for face in femmesh.getGroupElements(group)]] = number
+    return QuadSurface(points, quads, face_of_quad, obj.MethodUsed or "given", list(obj.Notes))
+
+
+def is_quad_surface(obj):
+    """Whether the document object is a quad surface."""
+    return is_a(obj, QuadSurfaceObject.Type)
+
+
+def add_quad_surface(document, surface, mark, settings, name="QuadSurface"):
+    """A quad surface object that holds a surface already made.
+
+    mark, settings  job_of's fingerprint and arguments for this surface
+    No transaction of its own: see hexcon.gui.actions.
+    """
+    solid = settings.get("source")
+    obj = new_mesh_object(document, name, solid if hasattr(solid, "Shape") else None,
+                          QuadSurfaceObject, "QuadSurfaceView")
+    set_settings(obj, settings)
+    obj.Proxy.take(obj, surface, mark)
+    obj.purgeTouched()
+    return obj
+
+
+def set_settings(obj, settings):
+    """Set the inputs by job_of's names."""
+    names = {"source": "Source", "file": "File", "example": "Example", "size": "Size", "method": "Method"}
+    for key, value in settings.items():
+        setattr(obj, names[key], value)
