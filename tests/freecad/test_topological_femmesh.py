@@ -9,6 +9,7 @@ from hex_grids import block
 import hexcon
 from hexcon import femmesh, freecad_compat
 from hexcon.errors import FaultCode
+from hexcon.quads.surface import given
 from hexcon.topological import is_topological
 
 pytestmark = pytest.mark.usefixtures("freecad")
@@ -20,6 +21,9 @@ def mesh():
     """A mesh of the box of SIZE that is called topological."""
     made = block(8, 2, 2, SIZE)
     made.method, made.topological = "pyramid", True
+    made.quality = made.certificate = None
+    made.report = {"log": []}
+    made.surface = given(made.points, femmesh.elements_of(made).quads, [])
     return made
 
 

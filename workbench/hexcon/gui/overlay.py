@@ -73,10 +73,11 @@ def _coloured(colour, *children):
     return group
 
 
-def _faces(quads, colour, style=coin.SoDrawStyle.FILLED, towards_eye=1.0):
+def _faces(quads, colour, style=coin.SoDrawStyle.FILLED, towards_eye=4.0):
     """The quads filled, or their edges; a little towards the eye, before the faces they lie on."""
     faces, offset, drawn = coin.SoIndexedFaceSet(), coin.SoPolygonOffset(), coin.SoDrawStyle()
-    offset.factor, offset.units = -towards_eye, -towards_eye
+    # no factor: it grows with the slope, and walls seen edge-on would shine through what hides them
+    offset.factor, offset.units = 0.0, -towards_eye
     offset.styles = coin.SoPolygonOffset.FILLED | coin.SoPolygonOffset.LINES
     drawn.style, drawn.lineWidth = style, LINE_WIDTH
     indices = np.hstack([quads, np.full((len(quads), 1), -1)]).ravel().tolist()
@@ -86,7 +87,7 @@ def _faces(quads, colour, style=coin.SoDrawStyle.FILLED, towards_eye=1.0):
 
 def _lines(quads, colour, on_top):
     """The quads' edges; on top of everything, or hidden by what lies before them."""
-    edges = _faces(quads, colour, coin.SoDrawStyle.LINES, 2.0)
+    edges = _faces(quads, colour, coin.SoDrawStyle.LINES, 12.0)
     if not on_top:
         return edges
     over = coin.SoAnnotation()
