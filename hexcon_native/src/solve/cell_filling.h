@@ -3,21 +3,8 @@
 #ifndef HEXCON_SOLVE_CELL_FILLING_H
 #define HEXCON_SOLVE_CELL_FILLING_H
 
+#include "cell_problem.h"
 #include "closure.h"
-#include "construct/cells.h"
-
-/** What all attempts share. */
-typedef struct cell_problem {
-  const surface *s;
-  const hexcon_mesh_options *options;
-  double center[3];
-  double bound; /* of the worst scaled Jacobian, from the surface's own corners */
-  uint8_t *colours;
-  double *weights; /* [4 quad_count] of pairs */
-  int32_t *partner;
-  cell_complex cells;
-  size_t pairing; /* how often the pairs' weights were changed */
-} cell_problem;
 
 /** A filled surface and what it is worth. */
 typedef struct cell_filling {

@@ -7,10 +7,7 @@
 
 #include "cell_filling.h"
 #include "shape/improve.h"
-#include "surface/colouring.h"
 #include "surface/corner_angles.h"
-#include "surface/pair_weights.h"
-#include "surface/pairing.h"
 #include "surface/star_center.h"
 #include "verify/jacobian_sign.h"
 #include "verify/scaled_jacobian.h"
@@ -37,21 +34,14 @@ enum { STAR_QUADS = 64 };
  */
 static const double good_worst = 0.1, near_the_bound = 0.8;
 
-static void problem_free(hexcon_context *context, cell_problem *p) {
-  context_free(context, p->colours);
-  context_free(context, p->weights);
-  context_free(context, p->partner);
-  cells_free(context, &p->cells);
-}
-
 /** The centre: sees all corners, or, where some are folded, at least the quads they belong to. */
-static hexcon_status find_center(hexcon_context *context, cell_problem *p) {
+static hexcon_status find_center(hexcon_context *context, const surface *s, double center[3]) {
   double margin;
-  hexcon_status status = surface_star_center(context, p->s, p->center, &margin);
+  hexcon_status status = surface_star_center(context, s, center, &margin);
   if (!status)
-    status = surface_check_fillable(context, p->s, margin > 0);
+    status = surface_check_fillable(context, s, margin > 0);
   if (!status && !(margin > 0))
-    status = surface_mean_center(context, p->s, p->center, &margin);
+    status = surface_mean_center(context, s, center, &margin);
   if (!status && !(margin > 0))
     status = context_fail(context, HEXCON_NOT_STAR_SHAPED,
                           "no point inside sees the whole surface: cells need a convex or "
@@ -59,29 +49,14 @@ static hexcon_status find_center(hexcon_context *context, cell_problem *p) {
   return status;
 }
 
-/** Pair the quads and build the cells over the pairs. */
-static hexcon_status build_cells(hexcon_context *context, cell_problem *p, size_t layers) {
-  cells_free(context, &p->cells);
-  hexcon_status status = surface_pair(context, p->s, p->weights, p->partner);
-  return status ? status : cells_build(context, p->s, p->colours, p->partner, layers, &p->cells);
-}
-
-static hexcon_status prepare(hexcon_context *context, const surface *s, cell_problem *p) {
-  hexcon_status status = find_center(context, p);
-  p->colours = context_allocate(context, s->point_count, sizeof *p->colours);
-  p->weights = context_allocate(context, 4 * s->quad_count, sizeof *p->weights);
-  p->partner = context_allocate(context, s->quad_count, sizeof *p->partner);
-  if (!status && (!p->colours || !p->weights || !p->partner))
-    status = HEXCON_OUT_OF_MEMORY;
+static hexcon_status prepare(hexcon_context *context, const surface *s,
+                             const hexcon_mesh_options *options, cell_problem *p) {
+  double center[3] = {0};
+  hexcon_status status = find_center(context, s, center);
   if (!status)
-    status = surface_colour(context, s, p->colours);
-  if (status)
-    return status;
-  surface_pair_weights(s, p->weights);
-  p->bound = 1;
-  for (int32_t h = 0; h < (int32_t)(4 * s->quad_count); h++)
-    p->bound = fmin(p->bound, fabs(sin(surface_corner_angle(s, h))));
-  return HEXCON_OK;
+    status = cell_problem_new(context, s, options, p);
+  memcpy(p->center, center, sizeof center);
+  return status;
 }
 
 /* ------------------------------------------------------------------------------------ improving */
@@ -219,7 +194,7 @@ static hexcon_status try_way(hexcon_context *context, cell_problem *p, const att
     keep_apart(p, best);
   hexcon_status status = HEXCON_OK;
   if (!p->cells.hexes || way->pair_anew || layers != p->cells.layers)
-    status = build_cells(context, p, layers);
+    status = cell_problem_build_cells(context, p, layers);
   if (!status && meshes_inside)
     status = try_closure(context, p, way, CLOSURE_TETRAHEDRA, mesh, best);
   bool star =
@@ -249,10 +224,10 @@ static void hand_over(const cell_problem *p, const cell_filling *f, hexcon_mesh 
 
 hexcon_status mesh_cells(hexcon_context *context, const surface *s,
                          const hexcon_mesh_options *options, hexcon_mesh *mesh) {
-  cell_problem p = {.s = s, .options = options};
+  cell_problem p = {0};
   cell_filling best = {0};
   double start = mesh_clock();
-  hexcon_status status = prepare(context, s, &p);
+  hexcon_status status = prepare(context, s, options, &p);
   size_t tried = 0;
   for (; !status && tried < ATTEMPTS && !is_good(&p, &best); tried++) {
     if (tried >= FOR_QUALITY && best.points && best.inverted == 0)
@@ -275,6 +250,6 @@ hexcon_status mesh_cells(hexcon_context *context, const surface *s,
   } else {
     cell_filling_free(context, &best);
   }
-  problem_free(context, &p);
+  cell_problem_free(context, &p);
   return status;
 }

@@ -14,6 +14,7 @@
  * @return NO_SHEETS with the quads of the core that are the surface's own; NOT_A_BALL,
  * OUT_OF_MEMORY, TOO_LARGE, CANCELLED
  */
-hexcon_status mesh_sheets(hexcon_context *context, const surface *s, hexcon_mesh *mesh);
+hexcon_status mesh_sheets(hexcon_context *context, const surface *s,
+                          const hexcon_mesh_options *options, hexcon_mesh *mesh);
 
 #endif

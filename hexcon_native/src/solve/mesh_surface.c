@@ -111,7 +111,7 @@ static hexcon_status construct(hexcon_context *context, const surface *s,
   if (options->method == HEXCON_METHOD_SWEPT)
     return mesh_swept(context, s, mesh);
   if (options->method == HEXCON_METHOD_SHEETS)
-    return mesh_sheets(context, s, mesh);
+    return mesh_sheets(context, s, options, mesh);
   if (options->method == HEXCON_METHOD_DICED)
     return mesh_diced(context, s, options, mesh);
   if (options->method == HEXCON_METHOD_SMALLEST)

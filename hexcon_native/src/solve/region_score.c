@@ -3,6 +3,8 @@
 
 #include "base/vector.h"
 #include "surface/geometry.h"
+#include "verify/hex_tables.h"
+#include "verify/scaled_jacobian.h"
 
 static const double right_angle = 1.57079632679489662;
 
@@ -54,4 +56,40 @@ double region_inner_score(const sheet_front *front, const front_region *region) 
       score += square(surface_bend(s, h));
   }
   return score;
+}
+
+/** The hex on a quad; a new point below is written as the one above. @param fixed  [8] */
+static void find_hex(const sheet_front *front, int32_t quad, int32_t hex[8], bool fixed[8]) {
+  for (int corner = 0; corner < 4; corner++) {
+    int32_t above = front->s.quads[4 * quad + corner], under = front->image[above];
+    hex[corner] = under < 0 ? above : under;
+    hex[corner + 4] = above;
+    fixed[corner] = under >= 0 && (size_t)under < front->s.point_count;
+    fixed[corner + 4] = (size_t)above < front->s.point_count;
+  }
+}
+
+static double hex_fixed_bound(const sheet_front *front, int32_t quad) {
+  int32_t hex[8];
+  bool fixed[8];
+  double bound = 1;
+  find_hex(front, quad, hex, fixed);
+  for (int corner = 0; corner < 8; corner++) {
+    const uint8_t *next = hex_corner_neighbours[corner];
+    if (fixed[corner] && fixed[next[0]] && fixed[next[1]] && fixed[next[2]])
+      bound = fmin(bound, corner_scaled_jacobian(front->s.points, hex, corner));
+  }
+  return bound;
+}
+
+double region_fixed_bound(sheet_front *front, const front_region *region) {
+  double bound = 1;
+  for (size_t i = 0; i < region->rung_count; i++)
+    front->image[half_edge_start(&front->s, region->rungs[i])] =
+        half_edge_end(&front->s, region->rungs[i]);
+  for (size_t i = 0; i < region->quad_count; i++)
+    bound = fmin(bound, hex_fixed_bound(front, region->quads[i]));
+  for (size_t i = 0; i < region->rung_count; i++)
+    front->image[half_edge_start(&front->s, region->rungs[i])] = -1;
+  return bound;
 }

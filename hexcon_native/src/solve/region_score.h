@@ -19,4 +19,8 @@ double region_rim_score(const sheet_front *front, const front_region *region, do
 /** The part of the edges inside the region, which must be filled. Linear in it. */
 double region_inner_score(const sheet_front *front, const front_region *region);
 
+/** The worst scaled Jacobian of the layer's hex corners that have all four points on the first
+ * front, and so at rest; 1 if there is none. Linear in the region. */
+double region_fixed_bound(sheet_front *front, const front_region *region);
+
 #endif

@@ -10,6 +10,8 @@ typedef struct sheet_taste {
   double hex_weight; /**< > 0: square radians that a hex may save */
   double noise;      /**< scores are stretched by up to this factor more, at random */
   uint64_t seed;
+  double least_corner; /**< no corner of a layer's hex whose four points are all given may have a
+                            lower scaled Jacobian; -1: it may have any */
 } sheet_taste;
 
 /** A layer that may be laid: the rings that pass these entries, the region on their left. */

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "region_score.h"
+
 void sheet_search_free(hexcon_context *context, sheet_search *search) {
   front_free(context, &search->front);
   front_region_free(context, &search->region);
@@ -100,14 +102,20 @@ static void keep_best(sheet_search *search) {
   memcpy(search->best_path, search->path, search->best_count * sizeof *search->path);
 }
 
+/** True if the region's layer has no corner that is fixed and worse than the taste allows. */
+static bool has_room(sheet_search *search, const sheet_taste *taste) {
+  return taste->least_corner <= -1 ||
+         region_fixed_bound(&search->front, &search->region) >= taste->least_corner;
+}
+
 /** The next candidate of the last level that leads to a new front, whose region is found then; NULL
  * if there is none. */
-static const sheet_candidate *next_candidate(sheet_search *search) {
+static const sheet_candidate *next_candidate(sheet_search *search, const sheet_taste *taste) {
   sheet_level *level = &search->levels[search->level_count - 1];
   while (level->next < search->candidates.count) {
     const sheet_candidate *candidate = &search->candidates.items[level->next++];
     if (!visited_has(&search->visited, search->key ^ layer_key(search, candidate)) &&
-        candidate_find(&search->front, candidate, &search->region))
+        candidate_find(&search->front, candidate, &search->region) && has_room(search, taste))
       return candidate;
   }
   return NULL;
@@ -124,9 +132,10 @@ static void go_back(sheet_search *search) {
 }
 
 /** Lay the next candidate. @param found  false: there is none left */
-static hexcon_status advance(hexcon_context *context, sheet_search *search, bool *found) {
+static hexcon_status advance(hexcon_context *context, sheet_search *search,
+                             const sheet_taste *taste, bool *found) {
   const sheet_candidate *candidate = NULL;
-  while (!(candidate = next_candidate(search)) && search->level_count > 1)
+  while (!(candidate = next_candidate(search, taste)) && search->level_count > 1)
     go_back(search);
   *found = candidate != NULL;
   hexcon_status status = candidate ? lay_candidate(context, search, candidate) : HEXCON_OK;
@@ -155,7 +164,7 @@ hexcon_status sheet_search_run(hexcon_context *context, const surface *s, const 
     if (!status)
       status = push_level(context, out, taste);
     if (!status)
-      status = advance(context, out, &found);
+      status = advance(context, out, taste, &found);
     if (out->front.alive_count >= out->best_alive)
       spent += out->front.alive_count;
     else if (!status)
