@@ -354,7 +354,7 @@ class Mesh:
 
 
 def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahedralise=None,
-         pairing="all", budget=0.0, progress=None, allow_uncertified=False, certify=True):
+         pairing="all", core=True, budget=0.0, progress=None, allow_uncertified=False, certify=True):
     """Fill a closed quad surface with hexes whose boundary is exactly its quads.
 
     points, quads      as check_surface
@@ -362,13 +362,15 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
                        star-shaped body, 31 hexes a quad and tetrahedra inside, each cut into 4
                        hexes; "sheets", for balls: layers of hexes, each of which takes a dual loop
                        away, until a cube is left: boxes, convex polyhedra with three edges a corner
-                       whose faces are cut about their middles, and mixtures that are no sweep;
+                       whose faces are cut about their middles, and mixtures that are no sweep; or
+                       until a core is left, which is filled as by "smallest" or "cells": then some
+                       45 hexes a quad of the core;
                        "diced": a surface that is a coarser one of triangles and quads, with every
                        edge split in two and every face cut about a centre, of a body of any shape
                        and genus: 4 hexes for each tetrahedron inside, and 26 on each coarse quad, or
                        36 where there are coarse triangles as well; "smallest": up to 16 quads of
                        genus 0, from a table of the smallest fillings known;
-                       "auto": swept, sheets, diced, smallest, cells, until one is certified and
+                       "auto": swept, sheets, diced, smallest, sheets and a core, cells, until one is certified and
                        good, or else the best of them: report["log"] tells of each.
                        The TOPOLOGICAL_METHODS are those of Carbonera and Shepherd (2006), for n
                        quads of genus 0: "pyramid" 76 n hexes, "pyramid-alt" 58 n, "geode" 130 n,
@@ -379,7 +381,7 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
                        cell; there may be one more, where it makes the cells better. With
                        layers, auto takes cells at once
     threads            0: one per processor; the result does not depend on it
-    tetrahedralise     cells, diced: None, and all meets in one point; or a callable
+    tetrahedralise     cells, diced, sheets: None, and all meets in one point; or a callable
                        (points (P, 3), triangles (T, 3)) that fills a closed, outward triangulation:
                        it returns new points (K, 3) and tetrahedra (M, 4) of positive volume, ids
                        of given points, then of new ones, whose boundary is exactly the triangles;
@@ -388,6 +390,7 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
                        (see pairing), or "none", which needs a surface whose
                        loops do not cross themselves, or your pairs (k, 2) of quads that share an
                        edge, such that no loop crosses itself then
+    core               sheets: False: do not fill what the layers leave, but refuse (NO_SHEETS)
     budget             seconds after which what is being tried is given up and the best mesh until
                        then is taken; 0: no limit
     progress           callable (stage, fraction in 0 .. 1); returning False, raising, or Ctrl-C
@@ -397,7 +400,8 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
                        quality
     Returns a Mesh. Raises HexconError: those of check_surface, SEVERAL_COMPONENTS, ODD, NOT_SWEPT
     (elements: the quads where the best attempt failed), NO_SHEETS (elements: the surface's quads in
-    the core that no loop can be taken from; the message says how large it is), NOT_DICED (elements:
+    the core that no loop can be taken from; the message says how large it is; where layers take next to nothing
+    away, or core is False), NOT_DICED (elements:
     quads that do not fit the subdivision that fits best), UNFILLABLE_QUAD (elements: quads on which
     no positive hex can stand), NOT_STAR_SHAPED, NOT_BIPARTITE, NO_PAIRING, BAD_PAIRING (elements:
     quads of pairs that are none), SELF_CROSSING (elements: quads that a loop passes twice), NO_SIDES
@@ -414,7 +418,7 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
     return Mesh(_core.mesh(_points(points), _ids(quads, 4, "quads"), METHODS[method], int(order),
                            allow_uncertified, threads, layers, mesher,
                            _GIVEN_PAIRS if given is not None else PAIRINGS[pairing], given,
-                           not certify, float(budget), progress))
+                           not certify, not core, float(budget), progress))
 
 
 class _Mesher:

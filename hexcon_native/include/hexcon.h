@@ -309,7 +309,8 @@ typedef enum hexcon_method {
                                for each tetrahedron inside; on each coarse quad 26, or 36 where
                                there are coarse triangles as well */
   HEXCON_METHOD_SHEETS,   /**< layers of hexes that take one dual loop after the other away, until a
-                               cube is left; balls only */
+                               cube is left, or a core, which is filled as by SMALLEST or CELLS;
+                               balls only */
   HEXCON_METHOD_SMALLEST, /**< up to 16 quads of genus 0: the smallest filling known */
   /* Those of Carbonera and Shepherd, for n quads: topological, so their meshes are conforming, but
    * some Jacobians are zero or negative, whatever the points. auto never takes them. */
@@ -361,7 +362,8 @@ typedef struct hexcon_mesh_options {
   bool allow_uncertified; /**< return the best mesh even if it is not certified */
   int threads;            /**< default: one per processor. The result does not depend on it */
   int layers;             /**< cells: at least so many layers of plain hexes before any cell */
-  /** cells, diced: NULL for none; then all meets in one point, if one sees the whole surface */
+  /** cells, diced, sheets: NULL for none; then all meets in one point, if one sees the whole
+   * surface */
   hexcon_tetrahedralise tetrahedralise;
   void *tetrahedralise_user;
   hexcon_pairing pairing; /**< topological methods */
@@ -371,6 +373,7 @@ typedef struct hexcon_mesh_options {
                               quality out too. auto proves all the same */
   double budget;         /**< seconds after which nothing new is begun, and what is being done is
                               given up; the best mesh until then is taken. 0: no limit */
+  bool no_core;          /**< sheets: do not fill what the layers leave, but refuse: NO_SHEETS */
 } hexcon_mesh_options;
 
 /** Result of hexcon_mesh_surface. */

@@ -353,12 +353,12 @@ static PyObject *mesh_as_dict(const hexcon_mesh *mesh) {
 static PyObject *mesh(PyObject *module, PyObject *arguments) {
   (void)module;
   Py_buffer points, quads, pairs; /* pairs: buf is NULL for None */
-  int method, order, allow_uncertified, threads, layers, pairing, skip_certificate;
+  int method, order, allow_uncertified, threads, layers, pairing, skip_certificate, no_core;
   double budget;
   PyObject *callback, *tetrahedralise;
-  if (!PyArg_ParseTuple(arguments, "y*y*iipiiOiz*pdO", &points, &quads, &method, &order,
+  if (!PyArg_ParseTuple(arguments, "y*y*iipiiOiz*ppdO", &points, &quads, &method, &order,
                         &allow_uncertified, &threads, &layers, &tetrahedralise, &pairing, &pairs,
-                        &skip_certificate, &budget, &callback))
+                        &skip_certificate, &no_core, &budget, &callback))
     return NULL;
   run r;
   PyObject *result = NULL;
@@ -376,6 +376,7 @@ static PyObject *mesh(PyObject *module, PyObject *arguments) {
                                    .pairs = pairs.buf,
                                    .pair_count = (size_t)pairs.len / (2 * sizeof(int32_t)),
                                    .skip_certificate = skip_certificate != 0,
+                                   .no_core = no_core != 0,
                                    .budget = budget};
     run_release(&r);
     hexcon_status status =
@@ -414,7 +415,7 @@ static PyMethodDef methods[] = {
     {"raise_order", raise_order, METH_VARARGS, "raise_order(points, hexes) -> (points, hexes)"},
     {"mesh", mesh, METH_VARARGS,
      "mesh(points, quads, method, order, allow_uncertified, threads, layers, tetrahedralise, "
-     "pairing, pairs or None, skip_certificate, budget, progress) -> dict"},
+     "pairing, pairs or None, skip_certificate, no_core, budget, progress) -> dict"},
     {NULL, NULL, 0, NULL}};
 
 static PyModuleDef_Slot slots[] = {{0, NULL}};

@@ -26,6 +26,9 @@ static const char *const way_names[] = {"nothing", "the table of small fillings"
 /** Quads of the largest core in the table, and of the largest that is filled by a star. */
 enum { TABLE_QUADS = 16, STAR_QUADS = 64 };
 
+/** No further core is begun after so many attempts. */
+enum { MOST_ATTEMPTS = 4 };
+
 /** Nothing else is tried once the worst scaled Jacobian is this, or near what the surface allows.
  */
 static const double good_worst = 0.1, near_the_bound = 0.8;
@@ -195,8 +198,11 @@ hexcon_status core_mesh_make(hexcon_context *context, const surface *s,
   for (int32_t h = 0; h < (int32_t)(4 * s->quad_count); h++)
     best->bound = fmin(best->bound, fabs(sin(surface_corner_angle(s, h))));
   hexcon_status status = HEXCON_OK;
-  for (size_t i = 0; !status && i < core_count && !is_good(best); i++)
+  for (size_t i = 0; !status && i < core_count && best->attempt_count < MOST_ATTEMPTS; i++) {
     status = try_core(context, s, options, &cores[i], told, best);
+    if (best->mesh.points && best->mesh.inverted == 0)
+      break; /* only quality is left to win */
+  }
   if (!status && best->mesh.points)
     status = polish(context, s, options->threads, &best->mesh);
   return status;

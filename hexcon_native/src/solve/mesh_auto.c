@@ -11,14 +11,18 @@ typedef struct candidate {
   double good_worst; /* scaled Jacobian, or nearly what the surface allows */
   hexcon_method method;
   bool has_layers; /* takes options->layers */
+  bool no_core;    /* see hexcon_mesh_options */
 } candidate;
 
 /** In the order of their worth: fewest hexes first. The fewer a method takes, the less its
  * successors can win, so the lower is what suffices. */
 static const candidate candidates[] = {
-    {"swept", 0.3, HEXCON_METHOD_SWEPT, false},  {"sheets", 0.2, HEXCON_METHOD_SHEETS, false},
-    {"diced", 0.08, HEXCON_METHOD_DICED, false}, {"smallest", 0.08, HEXCON_METHOD_SMALLEST, false},
-    {"cells", 0, HEXCON_METHOD_CELLS, true},
+    {"swept", 0.3, HEXCON_METHOD_SWEPT, false, false},
+    {"sheets", 0.2, HEXCON_METHOD_SHEETS, false, true},
+    {"diced", 0.08, HEXCON_METHOD_DICED, false, false},
+    {"smallest", 0.08, HEXCON_METHOD_SMALLEST, false, false},
+    {"sheets and a core", 0.08, HEXCON_METHOD_SHEETS, false, false},
+    {"cells", 0, HEXCON_METHOD_CELLS, true, false},
 };
 
 enum { CANDIDATES = sizeof candidates / sizeof *candidates };
@@ -103,6 +107,7 @@ static hexcon_status try_candidate(hexcon_context *context, const surface *s,
   if (!made)
     return HEXCON_OUT_OF_MEMORY;
   chosen.method = c->method;
+  chosen.no_core = c->no_core;
   context_clear(context);
   hexcon_status status = fill(context, s, &chosen, made);
   if (status) {

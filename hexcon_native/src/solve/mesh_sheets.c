@@ -8,9 +8,7 @@
 #include "core_mesh.h"
 #include "quality_bound.h"
 #include "shape/improve.h"
-#include "shape/inner_surface.h"
-#include "sheet_search.h"
-#include "surface/star_center.h"
+#include "sheet_cores.h"
 #include "verify/scaled_jacobian.h"
 
 /** In this order until a mesh is good: first what geometry says, then mostly the number of hexes,
@@ -18,13 +16,6 @@
 static const sheet_taste tastes[] = {{0.05, 0, 1, -1}, {1, 0, 2, -1}, {0.3, 0.5, 3, -1},
                                      {0.1, 2, 4, -1},  {1, 2, 5, -1}, {1, 8, 6, -1}};
 enum { TASTES = sizeof tastes / sizeof *tastes };
-
-/** Where no order leads to a valid mesh, the layers that have room for good hexes, and a core. */
-static const sheet_taste core_tastes[] = {{0.05, 0, 1, 0.2}, {1, 0, 2, 0.2}, {0.3, 0.5, 3, 0.2}};
-enum { CORE_TASTES = sizeof core_tastes / sizeof *core_tastes };
-
-/** So many of the other tastes are tried under a layer that covers the whole surface. */
-enum { COVERED_TASTES = 3 };
 
 /** Of tastes that lead to a mesh, so many are compared; more, if none is valid. */
 enum { MESHES_COMPARED = 2, MESHES_MOST = 3 };
@@ -34,6 +25,9 @@ enum { SEARCH_QUADS = 400000 };
 
 /** Worst scaled Jacobian, as part of what the surface allows, with which no other way is tried. */
 static const double good_part = 0.6;
+
+/** ... and with which layers alone are good enough. */
+static const double good_worst = 0.1;
 
 /** Improvement stops at this part of the bound, and aims at this much where there is none. */
 static const double near_the_bound = 0.95, least_target = 1e-3;
@@ -46,15 +40,10 @@ typedef struct filling {
   double worst, mean, bound;
 } filling;
 
-/** Cores that are kept, to be filled if no order leads to a cube. */
-enum { CORES_KEPT = 4 };
-
 /** What has been done, for the report. */
 typedef struct effort {
   size_t taste_count, mesh_count, step_count;
-  layered_core smallest;
-  size_t core_count;
-  layered_core cores[CORES_KEPT]; /* the most promising first */
+  layered_core smallest; /* core met on the way, for the words */
 } effort;
 
 static void filling_free(hexcon_context *context, filling *f) {
@@ -91,9 +80,10 @@ static void measure(filling *f) {
 }
 
 /** Improve what falls short of what the surface allows. */
-static hexcon_status improve(hexcon_context *context, const surface *s, filling *f) {
+static hexcon_status improve(hexcon_context *context, const surface *s, int threads, filling *f) {
   f->bound = quality_bound(s, f->points, f->hexes, f->hex_count);
-  hexcon_optimize_options options = {.target = fmax(near_the_bound * f->bound, least_target)};
+  hexcon_optimize_options options = {.threads = threads,
+                                     .target = fmax(near_the_bound * f->bound, least_target)};
   if (f->worst >= options.target || f->bound <= 0)
     return HEXCON_OK;
   uint8_t *fixed = context_allocate_zeroed(context, f->point_count, 1);
@@ -132,7 +122,7 @@ static hexcon_status note_smallest(hexcon_context *context, sheet_search *search
 }
 
 static hexcon_status try_taste(hexcon_context *context, const surface *s, const sheet_taste *taste,
-                               effort *e, filling *best) {
+                               int threads, effort *e, filling *best) {
   sheet_search search;
   filling f = {0};
   hexcon_status status = sheet_search_run(context, s, taste, SEARCH_QUADS, &search);
@@ -144,7 +134,7 @@ static hexcon_status try_taste(hexcon_context *context, const surface *s, const 
     e->mesh_count++;
     status = take(context, &search, &f);
     if (!status)
-      status = improve(context, s, &f);
+      status = improve(context, s, threads, &f);
   }
   sheet_search_free(context, &search);
   if (!status && f.points && is_better(&f, best)) {
@@ -187,7 +177,9 @@ static void hand_over(const surface *s, const effort *e, const filling *f, hexco
   mesh->method = "sheets";
   mesh->bound = f->bound;
   mesh_note(mesh, "sheets", (double)f->layer_count);
+  mesh_note(mesh, "quads removed", (double)s->quad_count);
   mesh_note(mesh, "core quads", 0);
+  mesh_note(mesh, "core hexes", 0);
   mesh_note(mesh, "hexes per quad", (double)f->hex_count / (double)s->quad_count);
   mesh_note(mesh, "orders tried", (double)e->taste_count);
   mesh_note(mesh, "search steps", (double)e->step_count);
@@ -207,83 +199,9 @@ static hexcon_status check_sphere(hexcon_context *context, const surface *s) {
                       "the surface has holes through it: sheets fill balls only; cut it");
 }
 
-/* ----------------------------------------------------------------------------------------- cores
- */
+/* ------------------------------------------------------------------------------------ the core */
 
-/** Hexes that a mesh with this core will have, about: cells take most. */
-static double expected_hexes(const layered_core *core) {
-  const double hexes_a_quad = 45;
-  return (double)core->hex_count + hexes_a_quad * (double)core->s.quad_count;
-}
-
-/** True if so little goes that cells alone are as good. */
-static bool is_next_to_nothing(const surface *s, const layered_core *core) {
-  const double least_part = 0.1;
-  return (double)core->s.quad_count > (1 - least_part) * (double)s->quad_count;
-}
-
-/** Keep a core, which is then empty, if it is among the most promising and none of them. */
-static void keep_core(hexcon_context *context, const surface *s, layered_core *core, effort *e) {
-  size_t at = 0;
-  while (at < e->core_count && expected_hexes(&e->cores[at]) < expected_hexes(core))
-    at++;
-  bool known = at < e->core_count && expected_hexes(&e->cores[at]) <= expected_hexes(core);
-  if (known || at == CORES_KEPT || is_next_to_nothing(s, core))
-    return;
-  if (e->core_count == CORES_KEPT)
-    layered_core_free(context, &e->cores[--e->core_count]);
-  memmove(e->cores + at + 1, e->cores + at, (e->core_count++ - at) * sizeof *e->cores);
-  e->cores[at] = *core;
-  *core = (layered_core){0};
-}
-
-/** Find a core of the surface, or of its copy inside, which is then covered. */
-static hexcon_status find_core(hexcon_context *context, const surface *s, const surface *inside,
-                               const sheet_taste *taste, effort *e) {
-  sheet_search search;
-  layered_core core = {0};
-  hexcon_status status = sheet_search_run(context, inside, taste, SEARCH_QUADS, &search);
-  e->step_count += search.step_count;
-  if (!status)
-    status = layered_core_take(context, &search, &core);
-  if (!status && inside != s)
-    status = layered_core_cover(context, s, &core);
-  if (!status)
-    keep_core(context, s, &core, e);
-  layered_core_free(context, &core);
-  sheet_search_free(context, &search);
-  return status;
-}
-
-/** A copy of the surface for a layer to lie between; shares all but the points. */
-static hexcon_status copy_inside(hexcon_context *context, const surface *s, surface *out) {
-  inner_surface_options options = {.thickness = 0.4, .depth = 0.3};
-  double margin, *points = context_allocate(context, s->point_count, 3 * sizeof *points);
-  *out = *s;
-  out->points = points;
-  if (!points)
-    return HEXCON_OUT_OF_MEMORY;
-  hexcon_status status = surface_star_center(context, s, options.center, &margin);
-  if (!status && !(margin > 0))
-    status = surface_mean_center(context, s, options.center, &margin);
-  options.no_center = !(margin > 0);
-  return status ? status : inner_surface_place(context, s, &options, points);
-}
-
-static hexcon_status find_cores(hexcon_context *context, const surface *s, effort *e) {
-  surface inside = {0};
-  hexcon_status status = HEXCON_OK;
-  for (size_t i = 0; !status && i < CORE_TASTES; i++)
-    status = find_core(context, s, s, &core_tastes[i], e);
-  if (!status)
-    status = copy_inside(context, s, &inside);
-  for (size_t i = 0; !status && i < COVERED_TASTES; i++)
-    status = find_core(context, s, &inside, &tastes[i], e);
-  context_free(context, (double *)(uintptr_t)inside.points);
-  return status;
-}
-
-static void hand_over_core(const surface *s, const effort *e, core_mesh *m, hexcon_mesh *mesh) {
+static void hand_over_core(const surface *s, core_mesh *m, hexcon_mesh *mesh) {
   mesh->points = m->mesh.points;
   mesh->hexes = m->mesh.hexes;
   mesh->quality = m->mesh.quality;
@@ -297,48 +215,71 @@ static void hand_over_core(const surface *s, const effort *e, core_mesh *m, hexc
   mesh_note(mesh, "core quads", (double)m->core_quads);
   mesh_note(mesh, "core hexes", (double)m->core_hexes);
   mesh_note(mesh, "hexes per quad", (double)m->mesh.hex_count / (double)s->quad_count);
-  mesh_note(mesh, "orders tried", (double)e->taste_count);
-  mesh_note(mesh, "search steps", (double)e->step_count);
-  mesh_note(mesh, "cores tried", (double)m->attempt_count);
+  mesh_note(mesh, "fillings tried", (double)m->attempt_count);
   mesh_note(mesh, "optimisation rounds", (double)m->mesh.rounds);
   mesh_note(mesh, "surface bound", m->bound);
 }
 
-static hexcon_status fill_core(hexcon_context *context, const surface *s,
-                               const hexcon_mesh_options *options, effort *e, hexcon_mesh *mesh) {
-  core_mesh best;
-  hexcon_status status = core_mesh_make(context, s, options, e->cores, e->core_count, mesh, &best);
-  if (!status && best.mesh.points)
-    hand_over_core(s, e, &best, mesh);
-  else
-    filled_mesh_free(context, &best.mesh);
-  return status ? status : mesh->hexes ? HEXCON_OK : fail(context, s, &e->smallest);
+/** Whether a filled core, or layers under a cover, are better than what layers alone gave. */
+static bool is_core_better(const core_mesh *m, const filling *best) {
+  if (!m->mesh.points || !best->points)
+    return m->mesh.points != NULL;
+  if ((m->mesh.inverted == 0) != (best->inverted == 0))
+    return m->mesh.inverted == 0;
+  return m->mesh.worst > best->worst;
+}
+
+/** Fill a core, or lay the same layers under one that covers the surface; a mesh of layers alone
+ * that is bad but valid is only compared with others of layers alone. */
+static hexcon_status try_cores(hexcon_context *context, const surface *s,
+                               const hexcon_mesh_options *options, const filling *best,
+                               core_mesh *out, hexcon_mesh *mesh) {
+  sheet_cores all;
+  const bool whole_only = options->no_core || (best->points && best->inverted == 0);
+  double start = mesh_clock();
+  hexcon_status status = sheet_cores_find(context, s, whole_only, SEARCH_QUADS, &all);
+  mesh_note_seconds(mesh, "core search", start);
+  start = mesh_clock();
+  if (!status)
+    status = core_mesh_make(context, s, options, all.cores, all.count, mesh, out);
+  if (status == HEXCON_OUT_OF_TIME && (out->mesh.points || best->points)) {
+    mesh_log(mesh, "the time budget ran out: the best mesh until then");
+    status = HEXCON_OK;
+    context_clear(context);
+  }
+  mesh_note_seconds(mesh, "core filling", start);
+  sheet_cores_free(context, &all);
+  return status;
+}
+
+static bool is_good(const filling *best) {
+  return best->points && best->inverted == 0 &&
+         best->worst >= fmin(good_worst, near_the_bound * best->bound);
 }
 
 hexcon_status mesh_sheets(hexcon_context *context, const surface *s,
                           const hexcon_mesh_options *options, hexcon_mesh *mesh) {
   effort e = {0};
   filling best = {0};
+  core_mesh with_core = {0};
   double start = mesh_clock();
   hexcon_status status = check_sphere(context, s);
   while (!status && !is_enough(&e, &best))
-    status = try_taste(context, s, &tastes[e.taste_count], &e, &best);
+    status = try_taste(context, s, &tastes[e.taste_count], options->threads, &e, &best);
   mesh_note_seconds(mesh, "sheets", start);
-  start = mesh_clock();
-  bool valid = best.points && best.inverted == 0;
-  if (!status && !valid)
-    status = find_cores(context, s, &e);
-  mesh_note_seconds(mesh, "core search", start);
-  if (!status && (valid || !e.core_count) && best.points)
-    hand_over(s, &e, &best, mesh);
-  else if (!status && !e.core_count)
+  if (!status && !is_good(&best))
+    status = try_cores(context, s, options, &best, &with_core, mesh);
+  if (!status && !best.points && !with_core.mesh.points)
     status = fail(context, s, &e.smallest);
-  else if (!status)
-    status = fill_core(context, s, options, &e, mesh);
-  if (status)
-    filling_free(context, &best);
+  if (!status && is_core_better(&with_core, &best)) {
+    hand_over_core(s, &with_core, mesh);
+    memset(&with_core, 0, sizeof with_core);
+  } else if (!status) {
+    hand_over(s, &e, &best, mesh);
+    memset(&best, 0, sizeof best);
+  }
+  filling_free(context, &best);
+  filled_mesh_free(context, &with_core.mesh);
   layered_core_free(context, &e.smallest);
-  while (e.core_count)
-    layered_core_free(context, &e.cores[--e.core_count]);
   return status;
 }
