@@ -104,7 +104,8 @@ def mesh(points: ArrayLike, quads: ArrayLike, method: str = ..., *, order: int =
          layers: int = ..., threads: int = ...,
          tetrahedralise: Callable[[NDArray[np.float64], NDArray[np.int32]],
                                   tuple[ArrayLike, ArrayLike] | None] | None = ...,
-         pairing: str | ArrayLike = ..., budget: float = ..., progress: Progress | None = ...,
+         pairing: str | ArrayLike = ..., core: bool = ..., budget: float = ...,
+         progress: Progress | None = ...,
          allow_uncertified: bool = ..., certify: bool = ...) -> Mesh: ...
 def check_options(method: str = ..., *, order: int = ..., layers: int = ..., threads: int = ...,
                   pairing: str | ArrayLike = ..., budget: float = ...) -> None: ...

@@ -253,10 +253,18 @@ static hexcon_status call_mesh_sheets(hexcon_context *context, material *m) {
   return mesh_by(context, &m->twisted, HEXCON_METHOD_SHEETS, 1);
 }
 
-/** With dead ends and a core. */
+/** With dead ends, and cores that are found, but not filled. */
 static hexcon_status call_mesh_no_sheets(hexcon_context *context, material *m) {
-  hexcon_status status = mesh_by(context, &m->not_swept, HEXCON_METHOD_SHEETS, 1);
+  hexcon_mesh *mesh = NULL;
+  const hexcon_mesh_options options = {.method = HEXCON_METHOD_SHEETS, .no_core = true};
+  hexcon_status status =
+      hexcon_mesh_surface(context, m->not_swept.points, m->not_swept.surface_point_count,
+                          m->not_swept.quads, m->not_swept.quad_count, &options, &mesh);
   return status == HEXCON_NO_SHEETS ? HEXCON_OK : status;
+}
+
+static hexcon_status call_mesh_core(hexcon_context *context, material *m) {
+  return mesh_by(context, &m->not_swept, HEXCON_METHOD_SHEETS, 1);
 }
 
 static hexcon_status call_mesh_not_diced(hexcon_context *context, material *m) {
@@ -295,6 +303,7 @@ static const struct {
              {"mesh no sides", call_mesh_no_sides},
              {"mesh sheets", call_mesh_sheets},
              {"mesh no sheets", call_mesh_no_sheets},
+             {"mesh core", call_mesh_core},
              {"mesh diced", call_mesh_diced},
              {"refuse not diced", call_mesh_not_diced},
              {"mesh smallest", call_mesh_smallest}};

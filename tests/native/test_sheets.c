@@ -7,6 +7,7 @@
 #include "support.h"
 
 static const hexcon_mesh_options sheets = {.method = HEXCON_METHOD_SHEETS};
+static const hexcon_mesh_options sheets_alone = {.method = HEXCON_METHOD_SHEETS, .no_core = true};
 
 static void expect_sheets(test_mesh mesh, size_t hex_count) {
   test_memory memory = {0};
@@ -42,7 +43,7 @@ static void expect_refusal(test_mesh mesh, hexcon_status expected, size_t core) 
   hexcon_context *context = hexcon_context_new();
   hexcon_mesh *made = (hexcon_mesh *)context;
   assert_int_equal(hexcon_mesh_surface(context, mesh.points, mesh.surface_point_count, mesh.quads,
-                                       mesh.quad_count, &sheets, &made),
+                                       mesh.quad_count, &sheets_alone, &made),
                    expected);
   assert_null(made);
   assert_message(context);
@@ -50,6 +51,12 @@ static void expect_refusal(test_mesh mesh, hexcon_status expected, size_t core) 
   assert_true(hexcon_context_elements(context, &elements) <= core);
   hexcon_context_free(context);
   test_mesh_free(&mesh);
+}
+
+/** A core of 8 quads, whose smallest proper filling has 40 hexes, under a layer of 4. */
+static void filled_core(void **state) {
+  (void)state;
+  expect_sheets(make_schneiders_pyramid(), 44);
 }
 
 static void cores(void **state) {
@@ -101,6 +108,7 @@ static void layer_and_back(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(small_bodies),
+      cmocka_unit_test(filled_core),
       cmocka_unit_test(cores),
       cmocka_unit_test(layer_and_back),
   };

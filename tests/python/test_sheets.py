@@ -6,8 +6,7 @@ import pytest
 import sheet_surfaces
 from cell_surfaces import sphere
 from sheet_surfaces import boundary, midpoint_subdivision, quads_of, random_polytope, random_sheets
-from surfaces import (annulus, box, diced, grid, o_grid, permuted, picture, prism,
-                      schneiders_pyramid, upright)
+from surfaces import annulus, box, diced, grid, o_grid, permuted, picture, prism, upright
 
 import hexcon_native as hn
 
@@ -130,12 +129,3 @@ def test_order_and_progress():
     with pytest.raises(hn.HexconError) as fault:
         hn.mesh(*box(3, 3, 3), "sheets", progress=lambda stage, part: part < 0.5)
     assert fault.value.code == hn.ErrorCode.CANCELLED
-
-
-def test_a_core_is_told():
-    points, quads = schneiders_pyramid()
-    with pytest.raises(hn.HexconError) as fault:
-        hn.mesh(points, quads, "sheets")
-    assert fault.value.code == hn.ErrorCode.NO_SHEETS
-    assert "of 16 quads" in str(fault.value) and "a core of 8" in str(fault.value)
-    assert 0 < len(fault.value.elements) <= 8

@@ -71,7 +71,7 @@ hexcon_status core_filling_build(hexcon_context *context, const surface *core, c
                                  double thickness, const hexcon_mesh_options *options,
                                  core_filling *out) {
   *out = (core_filling){0};
-  if (way == CORE_NONE || (way == CORE_TETRAHEDRA && !options->tetrahedralise))
+  if (way == CORE_NONE)
     return HEXCON_OK;
   hexcon_status status =
       way == CORE_TABLE

@@ -9,7 +9,8 @@
 typedef enum core_way {
   CORE_NONE,       /**< the layers left none */
   CORE_TABLE,      /**< a small filling */
-  CORE_TETRAHEDRA, /**< cells, and tetrahedra inside by the caller's mesher */
+  CORE_TETRAHEDRA, /**< cells, and tetrahedra inside by the caller's mesher, which
+ there must be */
   CORE_STAR        /**< cells, and tetrahedra that meet in one point */
 } core_way;
 

@@ -23,7 +23,8 @@ enum { ATTEMPTS = sizeof attempts / sizeof *attempts };
 static const char *const way_names[] = {"nothing", "the table of small fillings",
                                         "cells and tetrahedra", "cells and a star"};
 
-/** Quads of the largest core in the table, and of the largest that is filled by a star. */
+/** Quads of the largest core in the table, and of the largest that a star is tried on beside
+ * tetrahedra. */
 enum { TABLE_QUADS = 16, STAR_QUADS = 64 };
 
 /** No further core is begun after so many attempts. */
@@ -92,11 +93,12 @@ static hexcon_status polish(hexcon_context *context, const surface *s, int threa
                              : HEXCON_OK;
 }
 
-/** Untangle the layers alone: the core's points are free then, and come to lie where it has room.
+/** Untangle and smooth the layers alone: the core's points are free then, and come to lie where it
+ * has room and does not meet itself.
  * @param inverted  receives how many hexes are not positive whatever will be inside */
 static hexcon_status settle(hexcon_context *context, const surface *s, int threads,
                             layered_core *core, size_t *inverted) {
-  const hexcon_optimize_options options = {.threads = threads, .target = 1e-6};
+  const hexcon_optimize_options options = {.threads = threads, .target = 1e-6, .mean_passes = 2};
   filled_mesh layers = {.points = core->points,
                         .hexes = core->hexes,
                         .point_count = core->point_count,
@@ -114,12 +116,13 @@ static hexcon_status settle(hexcon_context *context, const surface *s, int threa
 /* --------------------------------------------------------------------------------------- attempts
  */
 
-static bool suits(const layered_core *core, core_way way) {
+/** A star's middle is crowded, but it is better than nothing. */
+static bool suits(const layered_core *core, core_way way, bool has_mesher, const core_mesh *best) {
   const size_t quads = core->s.quad_count;
   const bool suited[] = {[CORE_NONE] = quads == 0,
                          [CORE_TABLE] = quads > 0 && quads <= TABLE_QUADS,
-                         [CORE_TETRAHEDRA] = quads > 0,
-                         [CORE_STAR] = quads > 0 && quads <= STAR_QUADS};
+                         [CORE_TETRAHEDRA] = quads > 0 && has_mesher,
+                         [CORE_STAR] = quads > 0 && (quads <= STAR_QUADS || !best->mesh.points)};
   return suited[way];
 }
 
@@ -186,7 +189,7 @@ static hexcon_status try_core(hexcon_context *context, const surface *s,
     return HEXCON_OK;
   }
   for (size_t i = 0; !status && i < ATTEMPTS && !is_good(best); i++)
-    if (suits(core, attempts[i].way))
+    if (suits(core, attempts[i].way, options->tetrahedralise != NULL, best))
       status = try_way(context, s, options, core, &attempts[i], told, best);
   return status;
 }

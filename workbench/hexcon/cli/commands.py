@@ -96,6 +96,8 @@ def _made_of(mesh):
               (("sheets", "sheets"), ("layers", "layers"), ("pairs", "pairs of quads"),
                ("coarse triangles", "coarse triangles"), ("coarse quads", "coarse quads"),
                ("tetrahedra", "tetrahedra")) if name in told]
+    if told.get("core quads"):
+        counts.append(f"a core of {told['core quads']:.0f} quads")
     share = f"{len(mesh.hexes) / len(mesh.surface.quads):.1f} hexes a quad"
     return f"{', '.join(counts)}; {share}" if counts else share
 

@@ -93,6 +93,9 @@ def _made(mesh):
             cap=count(report["cap quads"]), rings=count(report["rings"]))
     elif mesh.method == "sheets":
         made = translate("HexCon", "{sheets} sheets").format(sheets=count(report["sheets"]))
+        if report["core quads"]:
+            made += translate("HexCon", ", a core of {quads} quads").format(
+                quads=count(report["core quads"]))
     elif mesh.method == "diced":
         made = translate("HexCon", "diced, {triangles} coarse triangles, {quads} coarse quads, "
                          "{tetrahedra} tetrahedra inside").format(
