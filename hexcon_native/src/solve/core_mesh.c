@@ -20,8 +20,11 @@ static const attempt attempts[] = {{CORE_NONE, 0},
                                    {CORE_STAR, 0.6},
                                    {CORE_TETRAHEDRA, 0.4}};
 enum { ATTEMPTS = sizeof attempts / sizeof *attempts };
-static const char *const way_names[] = {"nothing", "the table of small fillings",
-                                        "cells and tetrahedra", "cells and a star"};
+static const char *const way_words[] = {[CORE_NONE] = ", which fill it",
+                                        [CORE_TABLE] =
+                                            " filled with hexes from the table of small fillings",
+                                        [CORE_TETRAHEDRA] = " filled with cells and tetrahedra",
+                                        [CORE_STAR] = " filled with cells and a star"};
 
 /** Quads of the largest core in the table, and of the largest that a star is tried on beside
  * tetrahedra. */
@@ -126,16 +129,24 @@ static bool suits(const layered_core *core, core_way way, bool has_mesher, const
   return suited[way];
 }
 
+/** Layers and core in words. */
+static void describe(const layered_core *core, char words[128]) {
+  int length = snprintf(words, 128, "%zu layers of %zu hexes%s", core->layer_count, core->hex_count,
+                        core->covered ? ", the first over the whole surface" : "");
+  if (core->s.quad_count > 0 && length > 0 && length < 128)
+    (void)snprintf(words + length, 128 - (size_t)length, ", a core of %zu quads",
+                   core->s.quad_count);
+}
+
 static void log_attempt(hexcon_mesh *told, const layered_core *core, const attempt *way,
                         const filled_mesh *m) {
-  char line[256], found[128] = "none found";
+  char line[320], words[128], found[128] = "none found";
+  describe(core, words);
   if (m->points)
     (void)snprintf(found, sizeof found,
                    "%zu hexes, %zu not positive, scaled Jacobian min %.4f, mean %.4f", m->hex_count,
                    m->inverted, m->worst, m->mean);
-  (void)snprintf(
-      line, sizeof line, "%zu layers of %zu hexes, a core of %zu quads filled with %s: %s",
-      core->layer_count, core->hex_count, core->s.quad_count, way_names[way->way], found);
+  (void)snprintf(line, sizeof line, "%s%s: %s", words, way_words[way->way], found);
   mesh_log(told, line);
 }
 
@@ -171,11 +182,10 @@ static hexcon_status try_way(hexcon_context *context, const surface *s,
 }
 
 static void log_tangled(hexcon_mesh *told, const layered_core *core, size_t inverted) {
-  char line[160];
-  (void)snprintf(line, sizeof line,
-                 "%zu layers of %zu hexes, a core of %zu quads: %zu hexes of the layers cannot be "
-                 "positive",
-                 core->layer_count, core->hex_count, core->s.quad_count, inverted);
+  char line[256], words[128];
+  describe(core, words);
+  (void)snprintf(line, sizeof line, "%s: %zu hexes of the layers cannot be positive", words,
+                 inverted);
   mesh_log(told, line);
 }
 
@@ -202,6 +212,7 @@ hexcon_status core_mesh_make(hexcon_context *context, const surface *s,
     best->bound = fmin(best->bound, fabs(sin(surface_corner_angle(s, h))));
   hexcon_status status = HEXCON_OK;
   for (size_t i = 0; !status && i < core_count && best->attempt_count < MOST_ATTEMPTS; i++) {
+    best->core_count++;
     status = try_core(context, s, options, &cores[i], told, best);
     if (best->mesh.points && best->mesh.inverted == 0)
       break; /* only quality is left to win */

@@ -9,7 +9,8 @@
 
 typedef struct core_mesh {
   filled_mesh mesh; /**< no points: nothing has been found */
-  size_t core_quads, core_hexes, layer_count, attempt_count;
+  size_t core_quads, core_hexes, layer_count;
+  size_t core_count, attempt_count; /**< cores looked into, and fillings of them that were tried */
   double bound; /**< of the worst scaled Jacobian, from the surface's own corners */
 } core_mesh;
 

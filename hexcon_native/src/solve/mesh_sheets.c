@@ -147,7 +147,8 @@ static hexcon_status try_taste(hexcon_context *context, const surface *s, const 
 }
 
 /** Tell of the most promising core, and list its quads that are the surface's. */
-static hexcon_status fail(hexcon_context *context, const surface *s, const layered_core *core) {
+static hexcon_status fail(hexcon_context *context, const surface *s, const layered_core *core,
+                          bool tried) {
   context_clear(context);
   for (size_t q = 0; q < core->s.quad_count; q++) {
     bool given = true;
@@ -161,9 +162,10 @@ static hexcon_status fail(hexcon_context *context, const surface *s, const layer
       "no order of the dual loops that was tried leads to a cube: of %zu quads, %zu layers of "
       "%zu hexes took %zu away, and left a core of %zu (those of the surface "
       "listed), whose loops cross themselves or keep the surface from touching "
-      "itself",
+      "itself%s",
       s->quad_count, core->layer_count, core->hex_count, s->quad_count - core->s.quad_count,
-      core->s.quad_count);
+      core->s.quad_count,
+      tried ? "; nor is there a valid mesh of such layers with a filled core" : "");
 }
 
 static void hand_over(const surface *s, const effort *e, const filling *f, hexcon_mesh *mesh) {
@@ -270,7 +272,7 @@ hexcon_status mesh_sheets(hexcon_context *context, const surface *s,
   if (!status && !is_good(&best))
     status = try_cores(context, s, options, &best, &with_core, mesh);
   if (!status && !best.points && !with_core.mesh.points)
-    status = fail(context, s, &e.smallest);
+    status = fail(context, s, &e.smallest, with_core.core_count > 0);
   if (!status && is_core_better(&with_core, &best)) {
     hand_over_core(s, &with_core, mesh);
     memset(&with_core, 0, sizeof with_core);

@@ -18,10 +18,11 @@ void sheet_cores_free(hexcon_context *context, sheet_cores *cores) {
     layered_core_free(context, &cores->cores[--cores->count]);
 }
 
-/** Hexes that a mesh with this core will have, about: cells take most. */
+/** Hexes that a mesh with this core will have, about: cells take many, small fillings few. */
 static double expected_hexes(const layered_core *core) {
-  const double hexes_a_quad = 45;
-  return (double)core->hex_count + hexes_a_quad * (double)core->s.quad_count;
+  const size_t small = 16, quads = core->s.quad_count;
+  const double hexes_a_quad = quads <= small ? 5 : 45;
+  return (double)core->hex_count + hexes_a_quad * (double)quads;
 }
 
 /** True if so little goes that cells alone are as good. */
