@@ -49,7 +49,7 @@ static hexcon_status join(hexcon_context *context, const layered_core *core,
   if (status)
     return status;
   memcpy(out->points, core->points, 3 * core->point_count * sizeof *out->points);
-  if (added)
+  if (filling->points)
     memcpy(out->points + 3 * core->point_count, filling->points + 3 * shared,
            3 * added * sizeof *out->points);
   memcpy(out->hexes, core->hexes, 8 * core->hex_count * sizeof *out->hexes);

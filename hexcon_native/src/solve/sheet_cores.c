@@ -65,19 +65,29 @@ static hexcon_status find_core(hexcon_context *context, const surface *s, const 
   return status;
 }
 
-/** A copy of the surface for a layer to lie between; shares all but the points. */
-static hexcon_status copy_inside(hexcon_context *context, const surface *s, surface *out) {
+/** A copy of the surface's points inside it, for a layer to lie between.
+ * @param points  [s->point_count][3] */
+static hexcon_status place_inside(hexcon_context *context, const surface *s, double *points) {
   inner_surface_options options = {.thickness = 0.4, .depth = 0.3};
-  double margin, *points = context_allocate(context, s->point_count, 3 * sizeof *points);
-  *out = *s;
-  out->points = points;
-  if (!points)
-    return HEXCON_OUT_OF_MEMORY;
+  double margin;
   hexcon_status status = surface_star_center(context, s, options.center, &margin);
   if (!status && !(margin > 0))
     status = surface_mean_center(context, s, options.center, &margin);
   options.no_center = !(margin > 0);
   return status ? status : inner_surface_place(context, s, &options, points);
+}
+
+/** Find cores under a layer that covers the surface. */
+static hexcon_status find_covered(hexcon_context *context, const surface *s, size_t limit,
+                                  sheet_cores *all) {
+  surface inside = *s; /* all but the points is shared */
+  double *points = context_allocate(context, s->point_count, 3 * sizeof *points);
+  hexcon_status status = points ? place_inside(context, s, points) : HEXCON_OUT_OF_MEMORY;
+  inside.points = points;
+  for (size_t i = 0; !status && i < TASTES; i++)
+    status = find_core(context, s, &inside, &covered_tastes[i], limit, all);
+  context_free(context, points);
+  return status;
 }
 
 static void drop_unfinished(hexcon_context *context, sheet_cores *all) {
@@ -92,17 +102,13 @@ static void drop_unfinished(hexcon_context *context, sheet_cores *all) {
 
 hexcon_status sheet_cores_find(hexcon_context *context, const surface *s, bool whole_only,
                                size_t limit, sheet_cores *out) {
-  surface inside = {0};
   hexcon_status status = HEXCON_OK;
   *out = (sheet_cores){0};
   for (size_t i = 0; !status && i < TASTES; i++)
     status = find_core(context, s, s, &bare_tastes[i], limit, out);
   if (!status)
-    status = copy_inside(context, s, &inside);
-  for (size_t i = 0; !status && i < TASTES; i++)
-    status = find_core(context, s, &inside, &covered_tastes[i], limit, out);
+    status = find_covered(context, s, limit, out);
   if (whole_only)
     drop_unfinished(context, out);
-  context_free(context, (void *)(uintptr_t)inside.points);
   return status;
 }
