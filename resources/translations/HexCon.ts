@@ -585,6 +585,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>, a core of {quads} quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>diced, {triangles} coarse triangles, {quads} coarse quads, {tetrahedra} tetrahedra inside</source>
         <translation type="unfinished"></translation>
     </message>
