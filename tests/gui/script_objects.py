@@ -201,6 +201,32 @@ def saved_and_reloaded():
     close_panel()
 
 
+def older_documents_open():
+    """The plain mesh objects of version 0.1.0: as they were, and a double click judges them."""
+    import hexcon
+    from hexcon.femmesh import add_to_document
+    doc = FreeCAD.newDocument("Older")
+    box = doc.addObject("Part::Box", "Box")
+    doc.recompute()
+    made = add_to_document(doc, hexcon.mesh_solid(box.Shape, 5.0), box)
+    made.ViewObject.Proxy = 0  # as that version left it
+    path = os.path.join(OUT, "older.FCStd")
+    doc.saveAs(path)
+    FreeCAD.closeDocument(doc.Name)
+    doc = FreeCAD.openDocument(path)
+    settle()
+    box, made = doc.Box, doc.HexMesh
+    box.Length = 20
+    doc.recompute()
+    assert made.FemMesh.HexaCount == 8 and made.ViewObject.Visibility
+    made.ViewObject.Proxy.doubleClicked(made.ViewObject)
+    wait(words, "the check")
+    assert "every Jacobian is proved positive" in words()
+    close_panel()
+    FreeCAD.closeDocument(doc.Name)
+    FreeCAD.setActiveDocument("recompute")
+
+
 def a_full_disk_loses_nothing():
     """FreeCAD's save fails as on a full disk: the old file and the document are whole."""
     doc = document()
@@ -305,6 +331,6 @@ def no_traceback_was_shown():
 
 run(an_example_is_opened, quads_are_previewed_then_made, a_cancelled_mesh_leaves_no_trace, the_quads_are_filled,
     a_double_click_changes_the_mesh, the_quality_is_an_object, faults_mark_their_quads,
-    a_recompute_meshes_anew_and_can_be_cancelled, saved_and_reloaded, a_full_disk_loses_nothing,
+    a_recompute_meshes_anew_and_can_be_cancelled, saved_and_reloaded, older_documents_open, a_full_disk_loses_nothing,
     from_an_empty_document_to_displacements, the_mesh_goes_into_an_analysis,
     fem_has_the_menu_and_preferences_the_page, no_traceback_was_shown)
