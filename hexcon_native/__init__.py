@@ -23,10 +23,10 @@ except ImportError as fault:
 ErrorCode = enum.IntEnum("ErrorCode", _core.status_codes())
 ErrorCode.__doc__ = "One member per fault of the core; include/hexcon.h says what each means."
 
-METHODS = {"auto": 0, "swept": 1, "sheets": 4, "diced": 3, "smallest": 5, "cells": 2, "four-split": 6,
+METHODS = {"auto": 0, "swept": 1, "sheets": 4, "diced": 3, "smallest": 5, "shelling": 12, "cells": 2, "four-split": 6,
            "pyramid": 7, "pyramid-alt": 8, "geode": 9, "geode-alt": 10, "pillowed": 11}
 
-TOPOLOGICAL_METHODS = frozenset(METHODS) - {"auto", "swept", "sheets", "diced", "smallest", "cells"}
+TOPOLOGICAL_METHODS = frozenset(METHODS) - {"auto", "swept", "sheets", "diced", "smallest", "shelling", "cells"}
 """Methods whose meshes are conforming, but have Jacobians of zero or below: for no solver."""
 
 PAIRINGS = {"all": 0, "fewest": 1, "none": 2}
@@ -369,8 +369,11 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
                        edge split in two and every face cut about a centre, of a body of any shape
                        and genus: 4 hexes for each tetrahedron inside, and 26 on each coarse quad, or
                        36 where there are coarse triangles as well; "smallest": up to 16 quads of
-                       genus 0, from a table of the smallest fillings known;
-                       "auto": swept, sheets, diced, smallest, sheets and a core, cells, until one is certified and
+                       genus 0, from a table of the smallest fillings known; "shelling": as sheets,
+                       after some edges have been rotated in shells under the surface, with 38 hexes
+                       each: most surfaces of genus 0 up to some 400 quads, with three to six hexes a
+                       quad, more where quads are few or very uneven;
+                       "auto": swept, sheets, diced, smallest, shelling, sheets and a core, cells, until one is certified and
                        good, or else the best of them: report["log"] tells of each.
                        The TOPOLOGICAL_METHODS are those of Carbonera and Shepherd (2006), for n
                        quads of genus 0: "pyramid" 76 n hexes, "pyramid-alt" 58 n, "geode" 130 n,
@@ -406,7 +409,7 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
     no positive hex can stand), NOT_STAR_SHAPED, NOT_BIPARTITE, NO_PAIRING, BAD_PAIRING (elements:
     quads of pairs that are none), SELF_CROSSING (elements: quads that a loop passes twice), NO_SIDES
     (elements: points of a closed path that crosses a family of loops an odd number of times; never
-    on a sphere), NOT_A_BALL, NO_SMALL_FILLING (more than 16 quads, or elements: two quads with two
+    on a sphere), NOT_A_BALL, NO_ROTATIONS (shelling: no rotations were found that help), NO_SMALL_FILLING (more than 16 quads, or elements: two quads with two
     opposite corners in common), NOT_CERTIFIED (elements: hexes), OUT_OF_TIME (before there was a
     mesh), CANCELLED, BAD_ARGUMENT, OUT_OF_MEMORY. Topological meshes are returned if they are
     conforming and their boundary is exact.

@@ -64,6 +64,7 @@ typedef enum hexcon_status {
   HEXCON_NO_SMALL_FILLING,         /**< more than 16 quads, or a class that the table of small
                                         fillings lacks; elements: two quads with two opposite corners
                                         in common */
+  HEXCON_NO_ROTATIONS,             /**< no rotations of edges that lead to loops which can go */
   HEXCON_STATUS_COUNT
 } hexcon_status;
 
@@ -322,6 +323,8 @@ typedef enum hexcon_method {
   HEXCON_METHOD_GEODE_ALT,   /**< 112 n */
   HEXCON_METHOD_PILLOWED,    /**< 139 n: geode-alt without doublets; proper, if the surface's quads
                                   meet properly themselves */
+  HEXCON_METHOD_SHELLING,    /**< for solvers again: shells in which some edges rotate, 38 hexes
+                                  each, then sheets; balls only */
   HEXCON_METHOD_COUNT
 } hexcon_method;
 
@@ -384,10 +387,10 @@ typedef struct hexcon_mesh hexcon_mesh;
  * @param options  NULL for defaults
  * @param mesh     receives the result; free with hexcon_mesh_free
  * Errors: those of hexcon_check_surface, SEVERAL_COMPONENTS, ODD, NOT_SWEPT, UNFILLABLE_QUAD,
- * NOT_STAR_SHAPED, NO_SHEETS, NOT_DICED, NO_SMALL_FILLING, NO_PAIRING, BAD_PAIRING, SELF_CROSSING,
- * NO_SIDES, NOT_A_BALL, NOT_CERTIFIED, CANCELLED, OUT_OF_TIME, BAD_ARGUMENT, OUT_OF_MEMORY; `mesh`
- * is then NULL. A topological mesh that is conforming and has the surface for its boundary is no
- * error. Cost: linear in the hexes made, plus the optimisation of what is bad.
+ * NOT_STAR_SHAPED, NO_SHEETS, NOT_DICED, NO_SMALL_FILLING, NO_ROTATIONS, NO_PAIRING, BAD_PAIRING,
+ * SELF_CROSSING, NO_SIDES, NOT_A_BALL, NOT_CERTIFIED, CANCELLED, OUT_OF_TIME, BAD_ARGUMENT,
+ * OUT_OF_MEMORY; `mesh` is then NULL. A topological mesh that is conforming and has the surface for
+ * its boundary is no error. Cost: linear in the hexes made, plus the optimisation of what is bad.
  */
 hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points, size_t point_count,
                                   const int32_t *quads, size_t quad_count,

@@ -29,6 +29,7 @@ FOUND = {"domino_48": 0.02,
          "halfcell_diced_41": 0.214204635,
          "halfcell_diced_41_flat": 0.158977118,
          "halfcell_diced_black_55": 0.335332306,
+         "rotation_38": 0.332,
          "schneiders_pyramid_36": 0.203995389,
          "trapezohedron_40": 0.264487512}
 FITTED = ("domino_62", "halfcell_diced_41", "geode_26", "schneiders_pyramid_36")

@@ -35,6 +35,7 @@ static const char *const status_names[HEXCON_STATUS_COUNT] = {
     [HEXCON_NOT_CERTIFIED] = "NOT_CERTIFIED",
     [HEXCON_OUT_OF_TIME] = "OUT_OF_TIME",
     [HEXCON_NO_SMALL_FILLING] = "NO_SMALL_FILLING",
+    [HEXCON_NO_ROTATIONS] = "NO_ROTATIONS",
 };
 
 const char *hexcon_status_name(int status) {

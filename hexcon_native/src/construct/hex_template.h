@@ -20,7 +20,7 @@ typedef struct hex_template {
 
 /** Made from resources/templates by the build. */
 extern const hex_template template_domino_62, template_geode_26, template_pyramid_16,
-    template_schneiders_pyramid_36;
+    template_rotation_38, template_schneiders_pyramid_36;
 
 /**
  * Check a template's table: ids in range, every face in two hexes or one of the outward quads.

@@ -12,17 +12,22 @@ typedef struct candidate {
   hexcon_method method;
   bool has_layers; /* takes options->layers */
   bool no_core;    /* see hexcon_mesh_options */
+  size_t most_hexes; /* a quad, with which nothing after it is tried */
 } candidate;
+
+/** Of hexes a quad: the method is not dearer than its successors. */
+#define ANY SIZE_MAX
 
 /** In the order of their worth: fewest hexes first. The fewer a method takes, the less its
  * successors can win, so the lower is what suffices. */
 static const candidate candidates[] = {
-    {"swept", 0.3, HEXCON_METHOD_SWEPT, false, false},
-    {"sheets", 0.2, HEXCON_METHOD_SHEETS, false, true},
-    {"diced", 0.08, HEXCON_METHOD_DICED, false, false},
-    {"smallest", 0.08, HEXCON_METHOD_SMALLEST, false, false},
-    {"sheets and a core", 0.08, HEXCON_METHOD_SHEETS, false, false},
-    {"cells", 0, HEXCON_METHOD_CELLS, true, false},
+    {"swept", 0.3, HEXCON_METHOD_SWEPT, .most_hexes = ANY},
+    {"sheets", 0.2, HEXCON_METHOD_SHEETS, .no_core = true, .most_hexes = ANY},
+    {"diced", 0.08, HEXCON_METHOD_DICED, .most_hexes = 6},
+    {"smallest", 0.08, HEXCON_METHOD_SMALLEST, .most_hexes = ANY},
+    {"shelling", 0.08, HEXCON_METHOD_SHELLING, .most_hexes = ANY},
+    {"sheets and a core", 0.08, HEXCON_METHOD_SHEETS, .most_hexes = ANY},
+    {"cells", 0, HEXCON_METHOD_CELLS, .has_layers = true, .most_hexes = ANY},
 };
 
 enum { CANDIDATES = sizeof candidates / sizeof *candidates };
@@ -80,7 +85,8 @@ static void log_fault(const hexcon_context *context, hexcon_mesh *told, const ca
 
 static bool is_good(const candidate *c, const hexcon_mesh *mesh) {
   double wanted = fmin(c->good_worst, near_the_bound * mesh->bound);
-  return mesh->certificate.certified && worst_of(mesh) >= wanted;
+  return mesh->certificate.certified && worst_of(mesh) >= wanted &&
+         mesh->hex_count / mesh->quad_count <= c->most_hexes;
 }
 
 /** Give the best mesh's own log the account of what was tried. */

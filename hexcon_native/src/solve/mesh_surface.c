@@ -7,6 +7,7 @@
 #include "mesh_diced.h"
 #include "mesh_result.h"
 #include "mesh_sheets.h"
+#include "mesh_shelling.h"
 #include "mesh_smallest.h"
 #include "mesh_swept.h"
 #include "mesh_topological.h"
@@ -116,6 +117,8 @@ static hexcon_status construct(hexcon_context *context, const surface *s,
     return mesh_diced(context, s, options, mesh);
   if (options->method == HEXCON_METHOD_SMALLEST)
     return mesh_smallest(context, s, options, mesh);
+  if (options->method == HEXCON_METHOD_SHELLING)
+    return mesh_shelling(context, s, options, mesh);
   return mesh_cells(context, s, options, mesh);
 }
 

@@ -93,7 +93,8 @@ def _made_of(mesh):
     if mesh.method == "swept":
         return f"{told['cap quads']:.0f} cap quads x {told['rings']:.0f} rings"
     counts = [f"{told[name]:.0f} {words}" for name, words in
-              (("sheets", "sheets"), ("layers", "layers"), ("pairs", "pairs of quads"),
+              (("sheets", "sheets"), ("rotations", "rotated edges"), ("shells", "shells"),
+               ("layers", "layers"), ("pairs", "pairs of quads"),
                ("coarse triangles", "coarse triangles"), ("coarse quads", "coarse quads"),
                ("tetrahedra", "tetrahedra")) if name in told]
     if told.get("core quads"):

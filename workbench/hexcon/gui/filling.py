@@ -24,6 +24,7 @@ METHOD_WORDS = {
     "geode-alt": QT_TRANSLATE_NOOP("HexCon", "geode, alternative"),
     "pillowed": QT_TRANSLATE_NOOP("HexCon", "pillowed"),
     "smallest": QT_TRANSLATE_NOOP("HexCon", "smallest"),
+    "shelling": QT_TRANSLATE_NOOP("HexCon", "shelling"),
 }
 LAYERED_METHODS = ("auto", "cells")
 MOST_LAYERS = 10

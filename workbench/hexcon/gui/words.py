@@ -96,6 +96,9 @@ def _made(mesh):
         if report["core quads"]:
             made += translate("HexCon", ", a core of {quads} quads").format(
                 quads=count(report["core quads"]))
+    elif mesh.method == "shelling":
+        made = translate("HexCon", "shelling, {rotations} rotated edges in {shells} shells").format(
+            rotations=count(report["rotations"]), shells=count(report["shells"]))
     elif mesh.method == "diced":
         made = translate("HexCon", "diced, {triangles} coarse triangles, {quads} coarse quads, "
                          "{tetrahedra} tetrahedra inside").format(
