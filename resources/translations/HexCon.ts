@@ -97,6 +97,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>shelling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{method} (topology only)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -586,6 +590,10 @@
     </message>
     <message>
         <source>, a core of {quads} quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shelling, {rotations} rotated edges in {shells} shells</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -120,7 +120,7 @@ static bool add_shell(const rotation_plan *plan, size_t level, const int rows[PR
 
 hexcon_status rotated_shell_build(hexcon_context *context, const surface *s,
                                   const rotation_plan *plan, rotated_shell *out, bool *fits) {
-  int rows[PRISM];
+  int rows[PRISM] = {0};
   *fits = true;
   hexcon_status status = begin(context, s, plan, out);
   if (!status)

@@ -24,7 +24,7 @@ static const candidate candidates[] = {
     {"swept", 0.3, HEXCON_METHOD_SWEPT, .most_hexes = ANY},
     {"sheets", 0.2, HEXCON_METHOD_SHEETS, .no_core = true, .most_hexes = ANY},
     {"diced", 0.08, HEXCON_METHOD_DICED, .most_hexes = 6},
-    {"smallest", 0.08, HEXCON_METHOD_SMALLEST, .most_hexes = ANY},
+    {"smallest", 0.08, HEXCON_METHOD_SMALLEST, .most_hexes = 6},
     {"shelling", 0.08, HEXCON_METHOD_SHELLING, .most_hexes = ANY},
     {"sheets and a core", 0.08, HEXCON_METHOD_SHEETS, .most_hexes = ANY},
     {"cells", 0, HEXCON_METHOD_CELLS, .has_layers = true, .most_hexes = ANY},
