@@ -10,8 +10,8 @@ typedef struct candidate {
   const char *name;
   double good_worst; /* scaled Jacobian, or nearly what the surface allows */
   hexcon_method method;
-  bool has_layers; /* takes options->layers */
-  bool no_core;    /* see hexcon_mesh_options */
+  bool has_layers;   /* takes options->layers */
+  bool no_core;      /* see hexcon_mesh_options */
   size_t most_hexes; /* a quad, with which nothing after it is tried */
 } candidate;
 

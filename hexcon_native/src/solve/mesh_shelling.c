@@ -23,6 +23,9 @@ enum { WIDTH = 60, WIDE_QUADS = 200, MOST_WIDTH = 200, LEAST_WIDTH = 3 };
 static const double core_weights[] = {1, 0.3, 3};
 enum { CORE_WEIGHTS = sizeof core_weights / sizeof *core_weights };
 
+/** Larger surfaces take more rotations than a beam finds. */
+enum { MOST_QUADS = 600 };
+
 /** Quads looked at before the search is given up, counting each surface that was considered. */
 static const double most_quads_seen = 3e8;
 
@@ -187,7 +190,11 @@ static void hand_over(const shelling *w, hexcon_mesh *mesh) {
   mesh_log(mesh, line);
 }
 
-static hexcon_status check_sphere(hexcon_context *context, const surface *s) {
+static hexcon_status check(hexcon_context *context, const surface *s) {
+  if (s->quad_count > MOST_QUADS)
+    return context_fail(context, HEXCON_NO_ROTATIONS,
+                        "the surface has %zu quads: rotations are looked for up to %d",
+                        s->quad_count, (int)MOST_QUADS);
   if (s->point_count == s->quad_count + 2)
     return HEXCON_OK;
   return context_fail(context, HEXCON_NOT_A_BALL,
@@ -198,7 +205,7 @@ hexcon_status mesh_shelling(hexcon_context *context, const surface *s,
                             const hexcon_mesh_options *options, hexcon_mesh *mesh) {
   shelling w = {.s = s, .options = options};
   double start = mesh_clock();
-  hexcon_status status = check_sphere(context, s);
+  hexcon_status status = check(context, s);
   if (!status)
     status = find_space(context, &w);
   for (size_t i = 0; !status && i < CORE_WEIGHTS && w.best.inverted + !w.best.points > 0; i++)
