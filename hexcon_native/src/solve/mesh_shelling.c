@@ -14,7 +14,7 @@
 
 /** So many meshes are made at most, so often loops may turn out not to go, and so many rotations
  * more than the first mesh took are worth a look. */
-enum { MESHES_MOST = 8, FAILURES_MOST = 60, ROTATIONS_MORE = 4 };
+enum { MESHES_MOST = 4, FAILURES_MOST = 60, ROTATIONS_MORE = 4 };
 
 /** Surfaces kept in the beam: so many at one size, fewer at larger ones. */
 enum { WIDTH = 60, WIDE_QUADS = 200, MOST_WIDTH = 200, LEAST_WIDTH = 3 };
@@ -30,7 +30,7 @@ enum { MOST_QUADS = 600 };
 static const double most_quads_seen = 3e8;
 
 /** Worst scaled Jacobian, and part of what the surface allows, with which no other way is tried. */
-static const double good_worst = 0.12, good_part = 0.6;
+static const double good_worst = 0.1, good_part = 0.6;
 
 /** Of two valid meshes, the one whose worst is better by this; else the smaller. */
 static const double clearly = 0.03;

@@ -199,7 +199,7 @@ static hexcon_status keep(hexcon_context *context, rotation_search *search,
 static hexcon_status find_core(void *user, hexcon_context *context, int worker, size_t item) {
   const rotation_search *search = user;
   rotated_surface *r = &search->next[item];
-  const sheet_taste taste = {1, 0, 1};
+  const sheet_taste taste = {.hex_weight = 1, .seed = 1, .least_corner = -1};
   surface s = r->s;
   sheet_search sheets;
   (void)worker;

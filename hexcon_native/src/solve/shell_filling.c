@@ -14,7 +14,10 @@ enum { PRISM = 12 };
 static const double deepest = 0.6;
 
 /** In this order, until one fills the inside. */
-static const sheet_taste tastes[] = {{0.05, 0, 1}, {1, 0, 2}, {0.1, 2, 3}};
+static const sheet_taste tastes[] = {
+    {.hex_weight = 0.05, .seed = 1, .least_corner = -1},
+    {.hex_weight = 1, .seed = 2, .least_corner = -1},
+    {.hex_weight = 0.1, .noise = 2, .seed = 3, .least_corner = -1}};
 enum { TASTES = sizeof tastes / sizeof *tastes };
 
 /* ------------------------------------------------------------------------------------ placement */
