@@ -130,7 +130,11 @@ static hexcon_status find(hexcon_context *context, const test_mesh *mesh,
   assert_int_equal(surface_build(context, mesh->points, mesh->surface_point_count, mesh->quads,
                                  mesh->quad_count, &s),
                    HEXCON_OK);
-  hexcon_status status = small_filling_find(context, &s, in, out);
+  small_class found;
+  *out = (small_filling){0};
+  hexcon_status status = small_class_find(context, &s, in, &found);
+  if (!status)
+    status = small_filling_read(context, &s, &found, 0, out);
   surface_free(context, &s);
   return status;
 }

@@ -227,22 +227,31 @@ static hexcon_status relabel(hexcon_context *context, const canonical_code *code
   return HEXCON_OK;
 }
 
-hexcon_status small_filling_find(hexcon_context *context, const surface *s,
-                                 const small_filling_table *table, small_filling *out) {
+hexcon_status small_class_find(hexcon_context *context, const surface *s,
+                               const small_filling_table *table, small_class *out) {
   canonical_code code = {0};
-  *out = (small_filling){0};
+  *out = (small_class){0};
   hexcon_status status = check_small(context, s);
   if (status)
     return status;
-  surface_canonical_code(s, &code);
-  const small_filling_record *record =
-      bsearch(code.text, table->records, table->count, sizeof *record, compare_codes);
-  if (!record)
-    return context_fail(context, HEXCON_NO_SMALL_FILLING,
-                        "the table of small fillings has none for this surface of %zu quads",
-                        s->quad_count);
-  status = read_record(context, record, out);
+  out->walk_count = surface_canonical_walks(s, out->walks);
+  surface_walk(s, out->walks[0].half_edge, out->walks[0].mirrored, &code);
+  out->record =
+      bsearch(code.text, table->records, table->count, sizeof *table->records, compare_codes);
+  return out->record
+             ? HEXCON_OK
+             : context_fail(context, HEXCON_NO_SMALL_FILLING,
+                            "the table of small fillings has none for this surface of %zu quads",
+                            s->quad_count);
+}
+
+hexcon_status small_filling_read(hexcon_context *context, const surface *s,
+                                 const small_class *found, size_t walk, small_filling *out) {
+  canonical_code code = {0};
+  *out = (small_filling){0};
+  hexcon_status status = read_record(context, found->record, out);
   if (!status)
-    status = check_filling(context, record, out);
+    status = check_filling(context, found->record, out);
+  surface_walk(s, found->walks[walk].half_edge, found->walks[walk].mirrored, &code);
   return status ? status : relabel(context, &code, s->point_count, out);
 }

@@ -32,17 +32,31 @@ typedef struct small_filling {
   bool certified; /**< whether that mesh is */
 } small_filling;
 
+/** A surface's class and the ways in which its filling fits the surface: its symmetries. */
+typedef struct small_class {
+  const small_filling_record *record;
+  size_t walk_count; /**< at least 1 */
+  walk_start walks[CODE_MOST_WALKS];
+} small_class;
+
 /**
- * Look a surface up and write its filling with its own points; the mirror image of a class is the
- * class.
- * @param s    a sphere's surface whose points are all used
- * @param out  free with small_filling_free, also after an error
+ * Look a surface up; the mirror image of a class is the class.
+ * @param s  a sphere's surface whose points are all used
  * @return NOT_A_BALL; NO_SMALL_FILLING: too many quads, two quads that meet in opposite corners
- *         (elements; no proper mesh has them), or a class that the table lacks; BAD_ARGUMENT for a
- *         damaged record; OUT_OF_MEMORY. Cost: quadratic in the quads.
+ *         (elements; no proper mesh has them), or a class that the table lacks. Cost: quadratic in
+ *         the quads.
  */
-hexcon_status small_filling_find(hexcon_context *context, const surface *s,
-                                 const small_filling_table *table, small_filling *out);
+hexcon_status small_class_find(hexcon_context *context, const surface *s,
+                               const small_filling_table *table, small_class *out);
+
+/**
+ * Write the class's filling with the surface's own points.
+ * @param walk  below walk_count: which points of the surface are which of the class
+ * @param out   free with small_filling_free, also after an error
+ * @return BAD_ARGUMENT for a damaged record, OUT_OF_MEMORY. Cost: n log n in the hexes.
+ */
+hexcon_status small_filling_read(hexcon_context *context, const surface *s,
+                                 const small_class *found, size_t walk, small_filling *out);
 void small_filling_free(hexcon_context *context, small_filling *filling);
 
 /**

@@ -55,6 +55,18 @@ void model_placement_affine(const placed_mesh *m, const double *model) {
     apply(&map, model + 3 * i, m->points + 3 * i);
 }
 
+double model_placement_misfit(const double *points, size_t count, const double *model) {
+  const affine map = fit(model, points, count);
+  double sum = 0;
+  for (size_t i = 0; i < count; i++) {
+    double there[3], gap[3];
+    apply(&map, model + 3 * i, there);
+    vector_subtract(there, points + 3 * i, gap);
+    sum += vector_dot(gap, gap);
+  }
+  return sum / (double)count;
+}
+
 /** From `start` to the boundary in `m`, whose inner points follow. */
 static hexcon_status travel(hexcon_context *context, const placed_mesh *m, double *start,
                             uint8_t *fixed, bool *arrived) {

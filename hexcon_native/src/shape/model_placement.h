@@ -20,6 +20,13 @@ typedef struct placed_mesh {
 void model_placement_affine(const placed_mesh *m, const double *model);
 
 /**
+ * How well a model suits a boundary: the mean square distance of its points from where such a map
+ * takes the model's. Linear.
+ * @param points, model  [count][3]
+ */
+double model_placement_misfit(const double *points, size_t count, const double *model);
+
+/**
  * Take a valid model to the boundary: its affine image, and then a homotopy, valid all the way.
  * @param arrived  receives whether it went all the way; the inner points are as far as it went
  * @return OUT_OF_MEMORY, CANCELLED. Cost: that of untangling the mesh as a whole, per step.

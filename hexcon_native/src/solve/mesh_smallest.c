@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "construct/small_fillings.h"
+#include "quality_bound.h"
 #include "shape/improve.h"
 #include "shape/model_placement.h"
 #include "surface/corner_angles.h"
@@ -99,11 +100,51 @@ static hexcon_status try_way(hexcon_context *context, const surface *s,
   return status;
 }
 
+/** How well a filling suits the surface, turned as it is. */
+typedef struct fitness {
+  double bound;  /**< no higher worst scaled Jacobian, wherever the inner points are */
+  double misfit; /**< of the shape in which it is known to be good */
+} fitness;
+
+static fitness fitness_of(const surface *s, const small_filling *filling) {
+  return (fitness){quality_bound(s, s->points, filling->hexes, filling->hex_count),
+                   model_placement_misfit(s->points, s->point_count, filling->places)};
+}
+
+static bool is_fitter(fitness a, fitness b) {
+  const double slack = 1e-6; /* symmetric ones differ by rounding */
+  if (fabs(a.bound - b.bound) > slack)
+    return a.bound > b.bound;
+  return a.misfit < (1 - slack) * b.misfit;
+}
+
+/** Of the class's symmetries one that puts no two quads of a flat side on one hex, if there is, and
+ * no sharp corners; the first of equals. */
+static hexcon_status choose_filling(hexcon_context *context, const surface *s, small_filling *out) {
+  small_class found;
+  fitness best = {0};
+  *out = (small_filling){0};
+  hexcon_status status = small_class_find(context, s, &small_fillings_smallest, &found);
+  for (size_t walk = 0; !status && walk < found.walk_count; walk++) {
+    small_filling filling;
+    status = small_filling_read(context, s, &found, walk, &filling);
+    const fitness here = status ? best : fitness_of(s, &filling);
+    if (!status && (walk == 0 || is_fitter(here, best))) {
+      const small_filling worse = *out;
+      *out = filling;
+      filling = worse;
+      best = here;
+    }
+    small_filling_free(context, &filling);
+  }
+  return status;
+}
+
 hexcon_status small_mesh_build(hexcon_context *context, const surface *s, int threads,
                                small_mesh *out) {
   small_filling filling;
   *out = (small_mesh){0};
-  hexcon_status status = small_filling_find(context, s, &small_fillings_smallest, &filling);
+  hexcon_status status = choose_filling(context, s, &filling);
   for (int way = 0; !status && way < SMALL_WAYS && (!out->points || out->inverted > 0); way++)
     if (way != BY_HOMOTOPY || filling.certified)
       status = try_way(context, s, &filling, (small_way)way, threads, out);

@@ -21,7 +21,7 @@ typedef struct small_mesh {
  * ones follow. All its points must be used.
  * @param threads  0: one per processor
  * @param out      free with small_mesh_free, also after an error
- * Errors: those of small_filling_find, CANCELLED. That some hexes are not positive is none: see
+ * Errors: those of small_class_find, CANCELLED. That some hexes are not positive is none: see
  * inverted. Cost: the improvement of some 50 hexes.
  */
 hexcon_status small_mesh_build(hexcon_context *context, const surface *s, int threads,

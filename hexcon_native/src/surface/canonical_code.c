@@ -32,13 +32,19 @@ void surface_walk(const surface *s, int32_t half_edge, bool mirrored, canonical_
   *text = '\0';
 }
 
-void surface_canonical_code(const surface *s, canonical_code *code) {
-  canonical_code walk = {0};
-  surface_walk(s, 0, false, code);
+size_t surface_canonical_walks(const surface *s, walk_start starts[CODE_MOST_WALKS]) {
+  canonical_code walk = {0}, least = {0};
+  size_t count = 0;
   for (int mirrored = 0; mirrored < 2; mirrored++)
     for (int32_t h = 0; h < (int32_t)(4 * s->quad_count); h++) {
       surface_walk(s, h, mirrored, &walk);
-      if (strcmp(walk.text, code->text) < 0)
-        *code = walk;
+      const int order = count == 0 ? -1 : strcmp(walk.text, least.text);
+      if (order < 0) {
+        least = walk;
+        count = 0;
+      }
+      if (order <= 0)
+        starts[count++] = (walk_start){h, mirrored};
     }
+  return count;
 }

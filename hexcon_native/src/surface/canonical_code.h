@@ -16,7 +16,8 @@
 enum {
   CODE_MOST_QUADS = 16,
   CODE_MOST_POINTS = CODE_MOST_QUADS + 2,
-  CODE_ROOM = 4 * CODE_MOST_QUADS + CODE_MOST_POINTS + 1
+  CODE_ROOM = 4 * CODE_MOST_QUADS + CODE_MOST_POINTS + 1,
+  CODE_MOST_WALKS = 2 * 4 * CODE_MOST_QUADS
 };
 
 typedef struct canonical_code {
@@ -28,7 +29,17 @@ typedef struct canonical_code {
 /** One walk. @param s connected, of genus 0, all points used, at most CODE_MOST_QUADS quads */
 void surface_walk(const surface *s, int32_t half_edge, bool mirrored, canonical_code *walk);
 
-/** The least walk, one that is not mirrored where both are. Cost: quadratic in the quads. */
-void surface_canonical_code(const surface *s, canonical_code *code);
+/** Where a walk begins. */
+typedef struct walk_start {
+  int32_t half_edge;
+  bool mirrored;
+} walk_start;
+
+/**
+ * All least walks: as many as the surface has symmetries, if mirror images count. Those that are
+ * not mirrored come first.
+ * @return how many. Cost: quadratic in the quads.
+ */
+size_t surface_canonical_walks(const surface *s, walk_start starts[CODE_MOST_WALKS]);
 
 #endif
