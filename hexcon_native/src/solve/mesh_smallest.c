@@ -125,11 +125,15 @@ static hexcon_status choose_filling(hexcon_context *context, const surface *s, s
   fitness best = {0};
   *out = (small_filling){0};
   hexcon_status status = small_class_find(context, s, &small_fillings_smallest, &found);
-  for (size_t walk = 0; !status && walk < found.walk_count; walk++) {
+  if (!status)
+    status = small_filling_read(context, s, &found, 0, out);
+  if (!status)
+    best = fitness_of(s, out);
+  for (size_t walk = 1; !status && walk < found.walk_count; walk++) {
     small_filling filling;
     status = small_filling_read(context, s, &found, walk, &filling);
     const fitness here = status ? best : fitness_of(s, &filling);
-    if (!status && (walk == 0 || is_fitter(here, best))) {
+    if (!status && is_fitter(here, best)) {
       const small_filling worse = *out;
       *out = filling;
       filling = worse;
