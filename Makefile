@@ -5,6 +5,7 @@
 # make gallery the examples drawn stage by stage, into output/gallery; GALLERY_METHOD: how they are filled
 # make screenshots the pictures of docs/guide.md, from FreeCAD's window under Xvfb
 # make bench-window how fast large meshes are opened and cut in FreeCAD's window
+# make compare method diced beside gmsh's own hexes on fifteen solids; COMPARE_QUADS: sizes of the surfaces
 # make build   the core alone, in place
 # FREECADCMD and PYTHON may name another FreeCAD and its interpreter.
 
@@ -18,7 +19,7 @@ sources = $(shell git ls-files 'hexcon_native/*.[ch]' 'tests/native/*.[ch]' 2>/d
             find hexcon_native tests/native -name '*.[ch]')
 native = $(wildcard hexcon_native/src/*/*.c)
 
-.PHONY: run test build bench bench-window gallery screenshots setup-run setup-test lint native-test python-test clean
+.PHONY: run test build bench bench-window compare gallery screenshots setup-run setup-test lint native-test python-test clean
 
 run: setup-run build
 	@command -v $(FREECADCMD) >/dev/null || { echo "HexCon: there is no $(FREECADCMD); set FREECADCMD to FreeCAD's command line program" >&2; exit 1; }
@@ -67,6 +68,10 @@ screenshots: setup-test build
 
 bench-window: setup-test build
 	@scripts/in_window.sh tests/gui/bench_inside.py output
+
+COMPARE_QUADS ?= 200 1000 4000
+compare: setup-run build
+	@PYTHONPATH=.:workbench $(python) tests/python/diced_table.py --quads $(COMPARE_QUADS)
 
 clean:
 	rm -rf build output hexcon_native/*.abi3.so
