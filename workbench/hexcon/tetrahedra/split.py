@@ -1,12 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Split tetrahedra until none has two faces on the surface: diced, such a one would put a flat corner there."""
+"""Split tetrahedra that have two faces on the surface, where these are nearly flat or the tetrahedron is bad: diced,
+its hexes have edges and corners there that no inner point can mend."""
 import numpy as np
 
+from .quality import diced_quality
 from .topology import EDGES, FACES, boundary, keys
 
 
+GOOD = 0.3      # scaled Jacobian of a diced tetrahedron: slack enough for triangles whose middles are on a curved face
+
+
 def split_doubles(points, tetrahedra):
-    """(points (Q',3), tetrahedra (M',4)): no tetrahedron has two boundary faces; the boundary is as it was.
+    """(points (Q',3), tetrahedra (M',4)): none with two boundary faces is worse than GOOD; the boundary is as it was.
 
     The one edge of such a tetrahedron that is in neither face is halved, with all tetrahedra around it; where that
     edge is on the surface too, or three faces are, the tetrahedron gets a point in its middle instead.
@@ -16,6 +21,7 @@ def split_doubles(points, tetrahedra):
     while True:
         outer = boundary(tetrahedra)
         doubles = np.flatnonzero(outer.sum(axis=1) >= 2)
+        doubles = doubles[diced_quality(points, tetrahedra[doubles]) < GOOD]
         if not len(doubles):
             return points, tetrahedra
         edges, middles = _inner_edges(tetrahedra, outer, doubles, len(points))
