@@ -244,6 +244,23 @@ static void a_core_is_filled(void **state) {
   hexcon_context_free(context);
 }
 
+/** Its sides are flat: only some of the class's symmetries put no two of their quads on one hex. */
+static void flat_sides_choose_the_symmetry(void **state) {
+  (void)state;
+  const hexcon_mesh_options options = {.method = HEXCON_METHOD_SMALLEST, .threads = 1};
+  test_mesh pyramid = make_schneiders_pyramid();
+  hexcon_context *context = hexcon_context_new();
+  hexcon_mesh *made = NULL;
+  assert_int_equal(hexcon_mesh_surface(context, pyramid.points, pyramid.surface_point_count,
+                                       pyramid.quads, pyramid.quad_count, &options, &made),
+                   HEXCON_OK);
+  assert_int_equal(hexcon_mesh_hex_count(made), 36);
+  assert_certified_mesh(context, &pyramid, made);
+  hexcon_mesh_free(context, made);
+  hexcon_context_free(context);
+  test_mesh_free(&pyramid);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(table_is_sound),
@@ -252,6 +269,7 @@ int main(void) {
       cmocka_unit_test(what_has_no_filling),
       cmocka_unit_test(known_records_in_any_numbering),
       cmocka_unit_test(a_core_is_filled),
+      cmocka_unit_test(flat_sides_choose_the_symmetry),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

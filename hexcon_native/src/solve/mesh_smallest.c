@@ -106,9 +106,19 @@ typedef struct fitness {
   double misfit; /**< of the shape in which it is known to be good */
 } fitness;
 
-static fitness fitness_of(const surface *s, const small_filling *filling) {
-  return (fitness){quality_bound(s, s->points, filling->hexes, filling->hex_count),
-                   model_placement_misfit(s->points, s->point_count, filling->places)};
+static hexcon_status find_fitness(hexcon_context *context, const surface *s,
+                                  const small_filling *filling, fitness *out) {
+  double *points = context_allocate(context, filling->point_count, 3 * sizeof *points);
+  if (!points)
+    return HEXCON_OUT_OF_MEMORY;
+  const placed_mesh placed = {s->point_count, filling->point_count, filling->hex_count,
+                              filling->hexes, points};
+  memcpy(points, s->points, 3 * s->point_count * sizeof *points);
+  model_placement_affine(&placed, filling->places); /* the bound looks at sizes of whole hexes */
+  out->bound = quality_bound(s, points, filling->hexes, filling->hex_count);
+  out->misfit = model_placement_misfit(s->points, s->point_count, filling->places);
+  context_free(context, points);
+  return HEXCON_OK;
 }
 
 static bool is_fitter(fitness a, fitness b) {
@@ -128,11 +138,13 @@ static hexcon_status choose_filling(hexcon_context *context, const surface *s, s
   if (!status)
     status = small_filling_read(context, s, &found, 0, out);
   if (!status)
-    best = fitness_of(s, out);
+    status = find_fitness(context, s, out, &best);
   for (size_t walk = 1; !status && walk < found.walk_count; walk++) {
     small_filling filling;
+    fitness here = best;
     status = small_filling_read(context, s, &found, walk, &filling);
-    const fitness here = status ? best : fitness_of(s, &filling);
+    if (!status)
+      status = find_fitness(context, s, &filling, &here);
     if (!status && is_fitter(here, best)) {
       const small_filling worse = *out;
       *out = filling;
