@@ -211,6 +211,11 @@ hexcon_status mesh_shelling(hexcon_context *context, const surface *s,
   for (size_t i = 0; !status && i < CORE_WEIGHTS && w.best.inverted + !w.best.points > 0; i++)
     if (w.quads_seen <= most_quads_seen)
       status = search_rotations(context, &w, core_weights[i]);
+  if (status == HEXCON_OUT_OF_TIME && w.best.points) {
+    mesh_log(mesh, "the time budget ran out: the best mesh until then");
+    context_clear(context);
+    status = HEXCON_OK;
+  }
   if (!status && !w.best.points)
     status = context_fail(context, HEXCON_NO_ROTATIONS,
                           "no set of rotated edges was found after which the dual loops can be "

@@ -59,7 +59,7 @@ static void rotated_surface_copy(const rotated_surface *from, rotated_surface *t
 
 static uint64_t edge_key(int32_t a, int32_t b) {
   uint64_t x = (uint64_t)(a < b ? a : b) << 32 | (uint64_t)(a < b ? b : a);
-  x = (x ^ x >> 31) * 0x7fb5d329728ea185u; /* splitmix64's finaliser */
+  x = (x ^ x >> 31) * 0x7fb5d329728ea185u; /* thorough mixing: keys are joined by exclusive or */
   x = (x ^ x >> 27) * 0x81dadef4bc2dd44du;
   return x ^ x >> 33;
 }
