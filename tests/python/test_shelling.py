@@ -109,12 +109,3 @@ def test_refusals():
     with pytest.raises(hn.HexconError) as fault:
         hn.mesh(*rotated_ball(1, 1), "shelling", progress=lambda stage, fraction: stage != "rotating edges")
     assert fault.value.code == hn.ErrorCode.CANCELLED
-
-
-def test_a_budget_keeps_what_was_made():
-    """Cut off at any moment, there is a mesh or the word for its absence."""
-    surface = rotated_ball(2, 3)
-    try:
-        assert hn.mesh(*surface, "shelling", budget=0.3, allow_uncertified=True).method == "shelling"
-    except hn.HexconError as fault:
-        assert fault.code == hn.ErrorCode.OUT_OF_TIME
