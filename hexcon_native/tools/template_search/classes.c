@@ -66,16 +66,24 @@ static void add_flipped(class_list *list, const ball *b, int most_quads) {
     }
 }
 
-void count_classes(int most_quads, size_t counts[MOST_QUADS + 1]) {
+void count_classes(int most_quads, size_t counts[MOST_QUADS + 1], int hexes[MOST_QUADS + 1]) {
   class_list list = {0};
   ball b = {0};
   sphere cube;
+  size_t round_end = 1; /* behind the classes of as many hexes as the present one */
+  int hex_count = 1;
   memset(counts, 0, (MOST_QUADS + 1) * sizeof *counts);
+  memset(hexes, 0, (MOST_QUADS + 1) * sizeof *hexes);
   sphere_cube(&cube);
   add_if_new(&list, &cube);
   for (size_t i = 0; i < list.keys.count; i++) {
+    if (i == round_end) {
+      round_end = list.keys.count;
+      hex_count++;
+    }
     load(&list, i, &b);
     counts[b.surface.quad_count]++;
+    hexes[b.surface.quad_count] = hex_count;
     add_flipped(&list, &b, most_quads);
   }
   free(list.ends);

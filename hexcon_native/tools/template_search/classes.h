@@ -10,7 +10,8 @@
 /**
  * Without regard to history: meshes found so are conforming, not proper.
  * @param counts  [MOST_QUADS + 1], receives the number of classes by quads
+ * @param hexes   [MOST_QUADS + 1], receives the most hexes that a class with so many quads takes
  */
-void count_classes(int most_quads, size_t counts[MOST_QUADS + 1]);
+void count_classes(int most_quads, size_t counts[MOST_QUADS + 1], int hexes[MOST_QUADS + 1]);
 
 #endif

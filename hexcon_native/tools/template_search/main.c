@@ -231,10 +231,11 @@ static int run_spread(const settings *s) {
 
 static int run_classes(const char *word) {
   size_t counts[MOST_QUADS + 1];
+  int hexes[MOST_QUADS + 1];
   const int most = whole_number(&word, 6, MOST_QUADS);
-  count_classes(most, counts);
+  count_classes(most, counts, hexes);
   for (int q = 6; q <= most; q += 2)
-    (void)printf("%d %zu\n", q, counts[q]);
+    (void)printf("%d %zu %d\n", q, counts[q], hexes[q]);
   return 0;
 }
 
