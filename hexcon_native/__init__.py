@@ -378,7 +378,8 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
                        The TOPOLOGICAL_METHODS are those of Carbonera and Shepherd (2006), for n
                        quads of genus 0: "pyramid" 76 n hexes, "pyramid-alt" 58 n, "geode" 130 n,
                        "geode-alt" 112 n, "pillowed" 139 n without doublets; and of any genus "four-split" 28 n, layers under the
-                       surface down to quads that are all split in four
+                       surface down to quads that are all split in four. With a tetrahedralise the last
+                       three go round holes, too: 4 hexes for each tetrahedron between the Geodes
     order              1, or 2 for mid-edge points on straight edges
     layers             cells: at least so many layers of plain hexes under the surface, before any
                        cell; there may be one more, where it makes the cells better. With

@@ -52,7 +52,8 @@ typedef enum hexcon_status {
   HEXCON_SELF_CROSSING,            /**< elements: quads that one dual loop passes twice */
   HEXCON_NO_SIDES,                 /**< elements: points of a closed path that crosses a family
                                         of dual loops an odd number of times, in order */
-  HEXCON_NOT_A_BALL,               /**< the method closes surfaces of genus 0 only */
+  HEXCON_NOT_A_BALL,               /**< the method closes surfaces of genus 0 only, or others only
+                                        with tetrahedra that were not found */
   HEXCON_UNFILLABLE_QUAD,          /**< elements: quads on which no positive hex can stand */
   HEXCON_NOT_STAR_SHAPED,          /**< no point inside sees the whole surface */
   HEXCON_NOT_SWEPT,                /**< elements: quads where the best attempt failed */
@@ -319,7 +320,8 @@ typedef enum hexcon_method {
                                   four; of any genus */
   HEXCON_METHOD_PYRAMID,     /**< 76 n hexes */
   HEXCON_METHOD_PYRAMID_ALT, /**< 58 n, by Mitchell's split layers */
-  HEXCON_METHOD_GEODE,       /**< 130 n */
+  HEXCON_METHOD_GEODE,       /**< 130 n; without a star centre, of any genus too, 106 n and 4 for
+                                  each tetrahedron that the caller's mesher finds inside */
   HEXCON_METHOD_GEODE_ALT,   /**< 112 n */
   HEXCON_METHOD_PILLOWED,    /**< 139 n: geode-alt without doublets; proper, if the surface's quads
                                   meet properly themselves */

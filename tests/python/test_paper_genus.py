@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Method four-split under surfaces with holes: where it goes, and the proof where it does not."""
+"""The paper's methods under surfaces with holes: where they go, and the proof where they do not."""
 import collections
 import itertools
 
@@ -10,6 +10,7 @@ from paper_meshes import (crossed_edges, dual_loops, families, faults, layer_cou
                           raised, self_crossings, sides)
 from surfaces import annulus, permuted, picture, prism, upright
 
+import hexcon
 import hexcon_native as hn
 
 CLOSED = sorted(hn.TOPOLOGICAL_METHODS - {"four-split"})
@@ -140,11 +141,54 @@ def test_bodies_with_holes(name, genus, points, quads):
     assert shell.genus == genus and shell.components == 1 and shell.even
 
 
+def _holed(body):
+    return torus(6, 4) if body == "torus" else next(b[2:] for b in bodies_with_holes() if b[0] == body)
+
+
+@pytest.mark.parametrize("body, genus", [("torus", 1), ("three holes", 3)])
+@pytest.mark.parametrize("method, per_pair", [("geode", 2 + 54), ("geode-alt", 2 + 18), ("pillowed", None)])
+def test_geodes_close_around_tetrahedra(body, genus, method, per_pair):
+    """The paper's last words: layers, 26 hexes on every four-split quad, 4 in every tetrahedron between them."""
+    points, quads = _holed(body)
+    mesh = hexcon.mesh_surface(points, quads, method)
+    split, tetrahedra = mesh.report["four-split quads"], mesh.report["tetrahedra"]
+    assert split == 3 * len(quads) and tetrahedra > 0
+    assert mesh.report["hexes of closure"] == 26 * split + 4 * tetrahedra
+    if per_pair:
+        assert len(mesh.hexes) == per_pair * len(quads) / 2 + 26 * split + 4 * tetrahedra
+    assert mesh.certificate.conforming and mesh.certificate.boundary_exact
+    assert mesh.certificate.proper == (method == "pillowed")
+    assert faults(points, mesh, of_sphere=False) == []
+    assert euler(mesh.hexes) == mesh.certificate.euler == 1 - genus
+    assert np.array_equal(np.sort(mesh.quads, axis=1), np.sort(quads, axis=1))
+
+
+def test_geodes_in_a_ball_that_no_point_sees():
+    """A "C": tetrahedra between the Geodes; without a mesher for them, the paper's star, which is right in its topology."""
+    points, quads = prism(picture("###", "#..", "#..", "#..", "###"), np.arange(2.0), upright)
+    assert hn.check_surface(points, quads).star_center is None
+    free, star = hexcon.mesh_surface(points, quads, "geode"), hn.mesh(points, quads, "geode")
+    assert len(star.hexes) == 130 * len(quads) and star.report["tetrahedra"] == 6 * len(quads)
+    assert len(free.hexes) == (28 + 78) * len(quads) + 4 * free.report["tetrahedra"] != len(star.hexes)
+    for mesh in (free, star):
+        assert mesh.certificate.conforming and mesh.certificate.boundary_exact and euler(mesh.hexes) == 1
+
+
+def _no_tetrahedra(points, triangles):
+    return None
+
+
 @pytest.mark.parametrize("method", CLOSED)
 def test_no_closure_of_bodies_with_holes(method):
+    """Pyramids meet in one point, which no hole allows; Geodes want tetrahedra."""
     for points, quads in (torus(4, 4), torus(3, 4), *(body[2:] for body in bodies_with_holes())):
         for pairing in ("all", "none"):
             with pytest.raises(hn.HexconError) as fault:
                 hn.mesh(points, quads, method, pairing=pairing)
             assert fault.value.code == hn.ErrorCode.NOT_A_BALL
             assert "four-split" in str(fault.value) and "genus" in str(fault.value)
+    points, quads = torus(4, 4)
+    with pytest.raises(hn.HexconError) as fault:
+        hn.mesh(points, quads, method, tetrahedralise=_no_tetrahedra)
+    assert fault.value.code == hn.ErrorCode.NOT_A_BALL
+    assert ("no tetrahedra were found" in str(fault.value)) == ("pyramid" not in method)

@@ -2,20 +2,31 @@
 #include "nested_placement.h"
 
 #include <stdbool.h>
+#include <string.h>
 
-void place_drawn_means(const int32_t *means, size_t count, size_t first, const double center[3],
+static void take_mean(const int32_t *of, const double *points, double mean[3]) {
+  size_t parents = 0;
+  memset(mean, 0, 3 * sizeof *mean);
+  for (; parents < 4 && of[parents] >= 0; parents++)
+    for (size_t k = 0; k < 3; k++)
+      mean[k] += points[3 * (size_t)of[parents] + k];
+  for (size_t k = 0; k < 3; k++)
+    mean[k] /= (double)parents;
+}
+
+void place_plain_means(const int32_t *means, size_t count, size_t first, double *points) {
+  for (size_t p = 0; p < count; p++)
+    take_mean(means + 4 * p, points, points + 3 * (first + p));
+}
+
+void place_drawn_means(const int32_t *means, size_t count, size_t first, const anchors *to,
                        double share, double *points) {
   for (size_t p = 0; p < count; p++) {
-    const int32_t *of = means + 4 * p;
-    size_t parents = 0;
-    double mean[3] = {0};
-    for (; parents < 4 && of[parents] >= 0; parents++)
-      for (size_t k = 0; k < 3; k++)
-        mean[k] += points[3 * (size_t)of[parents] + k];
-    for (size_t k = 0; k < 3; k++) {
-      mean[k] /= (double)parents;
-      points[3 * (first + p) + k] = mean[k] + share * (center[k] - mean[k]);
-    }
+    double mean[3];
+    const double *anchor = anchor_of(to, first + p);
+    take_mean(means + 4 * p, points, mean);
+    for (size_t k = 0; k < 3; k++)
+      points[3 * (first + p) + k] = mean[k] + share * (anchor[k] - mean[k]);
   }
 }
 
@@ -36,23 +47,32 @@ split_place split_place_at(const double local[3], const int corners[4], const in
   size_t column = local[0] > 0.5, row = local[1] > 0.5;
   double u = 2 * local[0] - (double)column, v = 2 * local[1] - (double)row, inner[4];
   triangle_weights(local[0], local[1], inner);
-  split_place place = {.center_weight = local[2] * share};
+  split_place place = {0};
   for (size_t i = 0; i < 4; i++) {
     size_t right = i % 2, up = i / 2;
     place.rows[i] = grid[row + up][column + right];
     place.weights[i] = (1 - local[2]) * (right ? u : 1 - u) * (up ? v : 1 - v);
     place.rows[4 + i] = corners[i];
     place.weights[4 + i] = local[2] * (1 - share) * inner[i];
+    place.anchor_weights[i] = local[2] * share * inner[i];
   }
   return place;
 }
 
-void place_over_split_quad(const split_place *place, const int32_t *quad_points, int32_t id,
-                           const double center[3], double *points) {
-  double *out = points + 3 * (size_t)id;
+static void add_weighted(const double *place, double weight, double *out) {
   for (size_t k = 0; k < 3; k++)
-    out[k] = place->center_weight * center[k];
-  for (size_t i = 0; i < 8 && (i < 4 || place->center_weight < 1); i++)
-    for (size_t k = 0; k < 3; k++)
-      out[k] += place->weights[i] * points[3 * (size_t)quad_points[place->rows[i]] + k];
+    out[k] += weight * place[k];
+}
+
+void place_over_split_quad(const split_place *place, const int32_t *quad_points, int32_t id,
+                           const anchors *to, double *points) {
+  double *out = points + 3 * (size_t)id;
+  memset(out, 0, 3 * sizeof *out);
+  for (size_t i = 0; i < 8; i++)
+    if (place->weights[i] != 0) /* corners may be of no use here, and not placed yet */
+      add_weighted(points + 3 * (size_t)quad_points[place->rows[i]], place->weights[i], out);
+  for (size_t i = 0; i < 4; i++)
+    if (place->anchor_weights[i] != 0)
+      add_weighted(anchor_of(to, (size_t)quad_points[place->rows[4 + i]]), place->anchor_weights[i],
+                   out);
 }

@@ -59,9 +59,10 @@ static hexcon_status place_blocks(hexcon_context *context, const coarse_front *f
     double tip[3] = {0};
     if (has_apex)
       memcpy(tip, points + 3 * (size_t)ids[template_row(t, "A")], sizeof tip);
+    anchors to = {tip, 0};
     for (size_t row = 0; row < t->point_count; row++)
       if (t->points[row].place[2] > 0 && t->points[row].label[0] != 'T')
-        place_over_split_quad(&places[row], ids, ids[row], tip, points);
+        place_over_split_quad(&places[row], ids, ids[row], &to, points);
   }
   context_free(context, places);
   return HEXCON_OK;

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "construct/paired_transition.h"
-#include "nested_mesh.h"
+#include "nested_closure.h"
 #include "surface/given_pairs.h"
 #include "surface/loop_families.h"
 #include "surface/pair_crossings.h"
@@ -14,7 +14,8 @@
 /** How each method goes on from the surface. */
 typedef struct recipe {
   const char *name;
-  hexcon_status (*close)(hexcon_context *context, const split_front *front, nested_mesh *mesh);
+  hexcon_status (*close)(hexcon_context *context, const split_front *front,
+                         const hexcon_mesh_options *options, nested_mesh *mesh, size_t *tetrahedra);
   hexcon_method method;
   split_kind kind;
   bool pillows;
@@ -176,11 +177,14 @@ static hexcon_status append_front(hexcon_context *context, const split_front *fr
 }
 
 static hexcon_status close(hexcon_context *context, const recipe *r, const split_front *front,
-                           nested_mesh *nested, hexcon_mesh *mesh) {
+                           const hexcon_mesh_options *options, nested_mesh *nested,
+                           hexcon_mesh *mesh) {
   double start = mesh_clock();
-  size_t before = nested->grown.hex_count;
-  hexcon_status status =
-      r->close ? r->close(context, front, nested) : append_front(context, front, mesh);
+  size_t before = nested->grown.hex_count, tetrahedra = 0;
+  hexcon_status status = r->close ? r->close(context, front, options, nested, &tetrahedra)
+                                  : append_front(context, front, mesh);
+  mesh_note(mesh, "four-split quads", (double)front->s->quad_count);
+  mesh_note(mesh, "tetrahedra", (double)tetrahedra);
   mesh_note(mesh, "hexes of closure", (double)(nested->grown.hex_count - before));
   mesh_note_seconds(mesh, "closure", start);
   return status;
@@ -193,7 +197,8 @@ static void hand_over(const recipe *r, nested_mesh *nested, hexcon_mesh *mesh) {
   mesh->hex_count = nested->grown.hex_count;
   mesh->order = 1;
   mesh->method = r->name;
-  memset(nested, 0, sizeof *nested);
+  nested->points = NULL;
+  nested->grown.hexes = NULL;
 }
 
 static hexcon_status pillow(hexcon_context *context, nested_mesh *nested, hexcon_mesh *mesh) {
@@ -207,8 +212,8 @@ static hexcon_status pillow(hexcon_context *context, nested_mesh *nested, hexcon
 
 /** All that comes after the pairing, under the quads that it left. */
 static hexcon_status fill_coarse(hexcon_context *context, const recipe *r, const surface *coarse,
-                                 const paired_quads *paired, nested_mesh *nested,
-                                 hexcon_mesh *mesh) {
+                                 const paired_quads *paired, const hexcon_mesh_options *options,
+                                 nested_mesh *nested, hexcon_mesh *mesh) {
   split_front front = {0};
   thin_columns thin = {0};
   hexcon_status status = split_front_new(context, coarse, &front);
@@ -219,7 +224,7 @@ static hexcon_status fill_coarse(hexcon_context *context, const recipe *r, const
   if (!status)
     status = split(context, &front, r->kind, nested, mesh);
   if (!status)
-    status = close(context, r, &front, nested, mesh);
+    status = close(context, r, &front, options, nested, mesh);
   if (!status && r->pillows)
     status = pillow(context, nested, mesh);
   nested->thin = NULL;
@@ -229,15 +234,15 @@ static hexcon_status fill_coarse(hexcon_context *context, const recipe *r, const
 }
 
 static hexcon_status fill_inside(hexcon_context *context, const recipe *r,
-                                 const paired_quads *paired, nested_mesh *nested,
-                                 hexcon_mesh *mesh) {
+                                 const paired_quads *paired, const hexcon_mesh_options *options,
+                                 nested_mesh *nested, hexcon_mesh *mesh) {
   double start = mesh_clock();
   surface coarse;
   hexcon_status status = surface_build(context, NULL, nested->grown.point_count, paired->quads,
                                        paired->quad_count, &coarse);
   mesh_note_seconds(mesh, "paired surface", start);
   if (!status)
-    status = fill_coarse(context, r, &coarse, paired, nested, mesh);
+    status = fill_coarse(context, r, &coarse, paired, options, nested, mesh);
   surface_free(context, &coarse);
   return status;
 }
@@ -254,13 +259,21 @@ static hexcon_status check_distinct(hexcon_context *context, const surface *s) {
       "would be one face");
 }
 
-static hexcon_status check_closable(hexcon_context *context, const surface *s, const recipe *r) {
-  if (!r->close || s->point_count == s->quad_count + 2)
+/** A star of tetrahedra, or of pyramids, closes balls only; tetrahedra of a mesher close anything.
+ */
+static hexcon_status check_closable(hexcon_context *context, const surface *s, const recipe *r,
+                                    const hexcon_mesh_options *options) {
+  bool ball = s->component_count == 1 && s->point_count == s->quad_count + 2;
+  bool by_geodes = r->close == nested_mesh_close_by_geodes;
+  if (!r->close || ball || (by_geodes && options->tetrahedralise))
     return HEXCON_OK;
   return context_fail(context, HEXCON_NOT_A_BALL,
-                      "method %s fills bodies without holes only; this surface has genus %zu: "
-                      "method four-split builds the layers under it",
-                      r->name, (s->quad_count + 2 - s->point_count) / 2);
+                      "method %s fills bodies without holes and cavities only%s; this surface has "
+                      "genus %zu and %zu parts: method four-split builds the layers under it, and "
+                      "Geodes close it where a mesher of tetrahedra is given",
+                      r->name, by_geodes ? " unless a mesher of tetrahedra is given" : "",
+                      (2 * s->component_count + s->quad_count - s->point_count) / 2,
+                      s->component_count);
 }
 
 /* ------------------------------------------------------------------- faults in the caller's terms
@@ -311,22 +324,21 @@ hexcon_status mesh_topological(hexcon_context *context, const surface *s,
   const recipe *r = find_recipe(options->method);
   nested_mesh nested = {0};
   paired_surface paired = {0};
-  bool star_shaped = false;
   hexcon_status status = check_distinct(context, s);
   if (!status)
-    status = check_closable(context, s, r);
+    status = check_closable(context, s, r, options);
   if (!status)
-    status = nested_mesh_new(context, s, &nested, &star_shaped);
+    status = nested_mesh_new(context, s, &nested);
   if (!status)
     status = pair(context, s, options, &nested, mesh, &paired);
   if (!status)
-    status = fill_inside(context, r, &paired.made, &nested, mesh);
+    status = fill_inside(context, r, &paired.made, options, &nested, mesh);
   name_fault(context, status, s, &paired, &nested);
   paired_surface_free(context, &paired);
   if (!status) {
     mesh_log(mesh, "topological: conforming, but some Jacobians are zero or negative; no solver "
                    "should take it");
-    if (!star_shaped)
+    if (!nested.star_shaped)
       mesh_log(mesh, "no point inside sees the whole surface: hexes may overlap");
     hand_over(r, &nested, mesh);
   }

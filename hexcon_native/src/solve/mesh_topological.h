@@ -10,8 +10,8 @@
 bool method_is_topological(hexcon_method method);
 
 /**
- * Fill a checked surface of one component. Points lie in layers nested about the star centre, or,
- * where there is none, about the mean of the points; then hexes may overlap.
+ * Fill a checked surface. Points lie in layers nested about the star centre, or, where there is
+ * none, between the surface and a copy inside it; then hexes may overlap.
  * @param mesh  its points, hexes and method are filled, stage by stage from outside; quality is
  *              not. four-split: the front's quads are appended to its quads. The caller frees
  * Errors: UNFILLABLE_QUAD (two quads in all), NO_PAIRING, BAD_PAIRING, SELF_CROSSING, NO_SIDES,

@@ -4,22 +4,24 @@
 #define HEXCON_SOLVE_NESTED_MESH_H
 
 #include "construct/paired_transition.h"
-#include "construct/split_closure.h"
+#include "construct/split_front.h"
+#include "shape/nested_placement.h"
 #include "surface/loops.h"
 #include "thin_columns.h"
 
 typedef struct nested_mesh {
   growing_mesh grown;
-  double *points;     /**< [grown.point_count][3] */
-  double center[3];   /**< towards which all layers go */
-  thin_columns *thin; /**< the caller's, kept up to date where it is not NULL */
+  double *points;        /**< [grown.point_count][3] */
+  double *anchor_places; /**< what layers are drawn to: the centre, or without one a row for every
+                            point that the surface and the layers have */
+  double center[3];      /**< the star centre, or the mean of the points */
+  bool star_shaped;      /**< the centre sees the whole surface */
+  thin_columns *thin;    /**< the caller's, kept up to date where it is not NULL */
 } nested_mesh;
 
-/** Begin with a surface's points, around its star centre, or the mean of the points where there is
- * none. @param star_shaped receives which. @param out free with nested_mesh_free, also after an
- * error. Expected linear. */
-hexcon_status nested_mesh_new(hexcon_context *context, const surface *s, nested_mesh *out,
-                              bool *star_shaped);
+/** Begin with a surface's points. @param out free with nested_mesh_free, also after an error.
+ * Expected linear. */
+hexcon_status nested_mesh_new(hexcon_context *context, const surface *s, nested_mesh *out);
 void nested_mesh_free(hexcon_context *context, nested_mesh *mesh);
 
 /** Lay two hexes on each pair. @param out what then is to be filled; free with paired_quads_free,
@@ -33,13 +35,11 @@ hexcon_status nested_mesh_split(hexcon_context *context, split_front *front, spl
                                 const surface_loops *loops, const int32_t *family_of_loop,
                                 size_t family_count, nested_mesh *mesh, size_t *added);
 
-/** Fill what is left by pyramids that meet in the centre. */
-hexcon_status nested_mesh_close_by_pyramids(hexcon_context *context, const split_front *front,
-                                            nested_mesh *mesh);
+/** Where the points of surface and layers are drawn to; valid until the mesh grows. */
+anchors nested_mesh_anchors(const nested_mesh *mesh);
 
-/** Fill what is left by Geodes, and by diced tetrahedra that meet in the centre. */
-hexcon_status nested_mesh_close_by_geodes(hexcon_context *context, const split_front *front,
-                                          nested_mesh *mesh);
+/** Room for the points that `grown` counts. */
+hexcon_status nested_mesh_grow_points(hexcon_context *context, nested_mesh *mesh);
 
 /** Pillow what is in the thin columns. */
 hexcon_status nested_mesh_pillow(hexcon_context *context, nested_mesh *mesh);
