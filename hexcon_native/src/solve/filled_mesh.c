@@ -24,7 +24,7 @@ void filled_mesh_free(hexcon_context *context, filled_mesh *mesh) {
   memset(mesh, 0, sizeof *mesh);
 }
 
-static void measure(filled_mesh *mesh) {
+void filled_mesh_measure(filled_mesh *mesh) {
   mesh->inverted = 0;
   mesh->worst = 1;
   mesh->mean = 0;
@@ -48,6 +48,6 @@ hexcon_status filled_mesh_improve(hexcon_context *context, size_t fixed_count,
                                       mesh->hex_count, fixed, options, &rounds);
   mesh->rounds += rounds;
   context_free(context, fixed);
-  measure(mesh);
+  filled_mesh_measure(mesh);
   return status;
 }

@@ -17,9 +17,14 @@ static const struct {
   diced_block block;
   bool for_quality;
 } blocks[] = {{0.5, DICED_GEODES, true},   {0.35, DICED_GEODES, true},   {1, DICED_PYRAMIDS, true},
-              {0.7, DICED_PYRAMIDS, true}, {0.5, DICED_PYRAMIDS, false}, {0.2, DICED_GEODES, false},
-              {0.3, DICED_PYRAMIDS, false}};
+              {0.7, DICED_PYRAMIDS, true}, {0.5, DICED_PYRAMIDS, false}, {0.5, DICED_GEODES, false},
+              {0.2, DICED_GEODES, false},  {0.3, DICED_PYRAMIDS, false}};
 enum { BLOCKS = sizeof blocks / sizeof *blocks };
+
+/** More than this part of the hexes inverted at the start take long to untangle, .. */
+static const double strained_part = 0.02;
+/** .. minutes where there are more hexes than this. */
+enum { STRAINED_HEXES = 6000 };
 
 /** A star's middle is crowded with more triangles than this: it is tried last. */
 enum { STAR_TRIANGLES = 64 };
@@ -145,6 +150,19 @@ static void log_attempt(hexcon_mesh *mesh, const diced_filling *f) {
   mesh_log(mesh, line);
 }
 
+static bool is_strained(const filled_mesh *f) {
+  return f->hex_count > STRAINED_HEXES &&
+         (double)f->inverted > strained_part * (double)f->hex_count;
+}
+
+/** Improve, but leave strained Geodes as they are while pyramids are left to try. */
+static hexcon_status improve_or_put_off(hexcon_context *context, const diced_problem *p, size_t way,
+                                        filled_mesh *f) {
+  filled_mesh_measure(f);
+  bool waits = blocks[way].block == DICED_GEODES && blocks[way].for_quality && is_strained(f);
+  return waits ? HEXCON_OK : improve(context, p, f);
+}
+
 /** Fill so, if that is possible; keep the better of that and `best`. */
 static hexcon_status try_closure(hexcon_context *context, const diced_problem *p, size_t way,
                                  diced_closure closure, hexcon_mesh *mesh, diced_filling *best) {
@@ -154,7 +172,7 @@ static hexcon_status try_closure(hexcon_context *context, const diced_problem *p
   hexcon_status status =
       diced_filling_build(context, p, blocks[way].block, closure, blocks[way].scale, &f);
   if (!status && f.mesh.points)
-    status = improve(context, p, &f.mesh);
+    status = improve_or_put_off(context, p, way, &f.mesh);
   if (!status)
     log_attempt(mesh, &f);
   if (!status && f.mesh.points && is_better(&f.mesh, &best->mesh)) {
@@ -267,6 +285,11 @@ hexcon_status mesh_diced(hexcon_context *context, const surface *s,
   find_bound(&p);
   if (!status)
     status = fill(context, &p, ways, way_count, mesh, &best);
+  if (status == HEXCON_OUT_OF_TIME && best.mesh.points && best.mesh.inverted == 0) {
+    mesh_log(mesh, "the time budget ran out: the best mesh until then");
+    status = HEXCON_OK;
+    context_clear(context);
+  }
   mesh_note_seconds(mesh, "diced", start);
   if (status)
     filled_mesh_free(context, &best.mesh);
