@@ -4,6 +4,9 @@
 #include <string.h>
 
 #include "base/vector.h"
+#include "crossing_triangles.h"
+#include "inward_directions.h"
+#include "inward_room.h"
 
 /** A point sinks no farther than this times its depth, however sharp the rim it is on. */
 static const double longest_step = 2.0;
@@ -11,105 +14,41 @@ static const double longest_step = 2.0;
 /** Boxes and triangles count as folded below this part of what they have in the shrunk copy. */
 static const double least_part = 0.1;
 
+/** Without a centre: of the way to the opposite side, so that both sides' copies keep apart; .. */
+static const double part_of_room = 0.35;
+/** .. where the copy folds, or crosses something, its points rise to this part of their depth; ..
+ */
+static const double rising = 0.6;
+/** .. a box between the surface and the copy counts as folded whose upright edge has less than this
+ * part of its length over the copy's corner, or over the surface's by less than there. */
+static const double least_sine = 0.15, least_of_outer = 0.5;
+
 typedef struct offsetting {
   const surface *s;
   const inner_surface_options *options;
-  double *normals;  /* [4 quad_count][3] of corner triangles, outward, unit */
-  int32_t *starts;  /* [point_count + 1] into corners */
-  int32_t *corners; /* [4 quad_count] half-edges that start at each point */
-  double *depth;    /* [point_count] */
-  double *smooth;   /* [point_count] */
-  double *offset;   /* [point_count][3] the offset copy */
-  double *drawn;    /* [point_count] 0: at the offset, 1: at the shrunk copy */
-  uint8_t *folded;  /* [point_count] */
+  inward_directions in;
+  double *depth;   /* [point_count] */
+  double *smooth;  /* [point_count] */
+  double *offset;  /* [point_count][3] the offset copy */
+  double *drawn;   /* [point_count] 0: at the offset, 1: at the shrunk copy */
+  uint8_t *folded; /* [point_count] */
 } offsetting;
 
 static const double *corner_place(const offsetting *o, int32_t h, const double *points) {
   return points + 3 * (size_t)o->s->quads[h];
 }
 
-/** Cross product of the edges at a corner, outward. */
-static void corner_normal(const offsetting *o, int32_t h, const double *points, double normal[3]) {
-  double next[3], previous[3];
-  vector_subtract(corner_place(o, half_edge_turn(h, 1), points), corner_place(o, h, points), next);
-  vector_subtract(corner_place(o, half_edge_turn(h, -1), points), corner_place(o, h, points),
-                  previous);
-  vector_cross(next, previous, normal);
-}
-
-static void scale(double v[3], double factor) {
-  for (int k = 0; k < 3; k++)
-    v[k] *= factor;
-}
-
-static void collect_corners(offsetting *o) {
-  const surface *s = o->s;
-  int32_t corner_count = (int32_t)(4 * s->quad_count);
-  memset(o->starts, 0, (s->point_count + 1) * sizeof *o->starts);
-  for (int32_t h = 0; h < corner_count; h++)
-    o->starts[s->quads[h] + 1]++;
-  for (size_t v = 0; v < s->point_count; v++)
-    o->starts[v + 1] += o->starts[v];
-  for (int32_t h = corner_count; h-- > 0;)
-    o->corners[--o->starts[s->quads[h] + 1]] = h;
-  memmove(o->starts, o->starts + 1, s->point_count * sizeof *o->starts);
-  o->starts[s->point_count] = corner_count;
-  for (int32_t h = 0; h < corner_count; h++) {
-    double *normal = o->normals + 3 * (size_t)h;
-    corner_normal(o, h, s->points, normal);
-    double length = vector_length(normal);
-    scale(normal, length > 0 ? 1 / length : 0);
-  }
-}
-
-/** How fast the slowest plane at a point sinks along a unit direction. */
-static double slowest(const offsetting *o, size_t v, const double direction[3], int32_t *corner) {
-  double least = 2;
-  for (int32_t i = o->starts[v]; i < o->starts[v + 1]; i++) {
-    double sinking = -vector_dot(o->normals + 3 * (size_t)o->corners[i], direction);
-    if (sinking < least) {
-      least = sinking;
-      *corner = o->corners[i];
-    }
-  }
-  return least;
-}
-
-/** The unit direction along which the slowest plane sinks fastest, nearly: the centre of the
- * smallest cap about the normals. Source: Badoiu and Clarkson, Smaller core-sets for balls (2003).
- * @return how fast that is */
-static double deepest_direction(const offsetting *o, size_t v, double direction[3]) {
-  const int most_steps = 64;
-  double best_sinking = -2, current[3] = {0};
-  for (int32_t i = o->starts[v]; i < o->starts[v + 1]; i++)
-    vector_add_scaled(current, -1, o->normals + 3 * (size_t)o->corners[i]);
-  for (int step = 0; step < most_steps; step++) {
-    double length = vector_length(current);
-    if (!(length > 0))
-      break;
-    scale(current, 1 / length);
-    int32_t corner = o->corners[o->starts[v]];
-    double sinking = slowest(o, v, current, &corner);
-    if (sinking > best_sinking) {
-      best_sinking = sinking;
-      memcpy(direction, current, sizeof current);
-    }
-    vector_add_scaled(current, -1.0 / (step + 2), o->normals + 3 * (size_t)corner);
-  }
-  return best_sinking;
-}
-
 /** Wanted depth at a point, as the sizes and the planes there allow. */
 static double local_depth(const offsetting *o, size_t v) {
   double size = 0, room = INFINITY;
   const double *here = o->s->points + 3 * v;
-  for (int32_t i = o->starts[v]; i < o->starts[v + 1]; i++) {
-    int32_t h = o->corners[i];
+  for (int32_t i = o->in.starts[v]; i < o->in.starts[v + 1]; i++) {
+    int32_t h = o->in.corners[i];
     double edge[3], inward[3];
     vector_subtract(corner_place(o, half_edge_turn(h, 1), o->s->points), here, edge);
     vector_subtract(o->options->center, here, inward);
-    size += vector_length(edge) / (o->starts[v + 1] - o->starts[v]);
-    room = fmin(room, -vector_dot(o->normals + 3 * (size_t)h, inward));
+    size += vector_length(edge) / (o->in.starts[v + 1] - o->in.starts[v]);
+    room = fmin(room, -vector_dot(o->in.normals + 3 * (size_t)h, inward));
   }
   double wanted = o->options->thickness * size;
   return o->options->no_center ? wanted : fmin(wanted, o->options->depth * room);
@@ -120,28 +59,40 @@ static void smooth_depths(offsetting *o) {
   const int passes = 3;
   for (int pass = 0; pass < passes; pass++) {
     for (size_t v = 0; v < o->s->point_count; v++) {
-      double sum = 0, count = o->starts[v + 1] - o->starts[v];
-      for (int32_t i = o->starts[v]; i < o->starts[v + 1]; i++)
-        sum += o->depth[half_edge_end(o->s, o->corners[i])];
+      double sum = 0, count = o->in.starts[v + 1] - o->in.starts[v];
+      for (int32_t i = o->in.starts[v]; i < o->in.starts[v + 1]; i++)
+        sum += o->depth[half_edge_end(o->s, o->in.corners[i])];
       o->smooth[v] = fmin(o->depth[v], (o->depth[v] + sum / count) / 2);
     }
     memcpy(o->depth, o->smooth, o->s->point_count * sizeof *o->depth);
   }
 }
 
+/** Way along a point's direction, by which its slowest plane sinks so deep, if it can. */
+static double way_for(const offsetting *o, size_t v, double depth) {
+  double sinking = o->in.sinking[v];
+  return depth * (sinking > 0 ? fmin(1 / sinking, longest_step) : longest_step);
+}
+
 static void place_offset(offsetting *o) {
+  for (size_t v = 0; v < o->s->point_count; v++) {
+    double *place = o->offset + 3 * v;
+    bool stays = !(o->in.sinking[v] > 0) && !o->options->no_center;
+    memcpy(place, o->s->points + 3 * v, 3 * sizeof *place);
+    o->drawn[v] = stays;
+    if (!stays)
+      vector_add_scaled(place, way_for(o, v, o->depth[v]), o->in.directions + 3 * v);
+  }
+}
+
+static void find_depths(offsetting *o) {
   for (size_t v = 0; v < o->s->point_count; v++)
     o->depth[v] = local_depth(o, v);
   smooth_depths(o);
-  for (size_t v = 0; v < o->s->point_count; v++) {
-    double direction[3] = {0}, *place = o->offset + 3 * v;
-    double sinking = deepest_direction(o, v, direction);
-    memcpy(place, o->s->points + 3 * v, 3 * sizeof *place);
-    o->drawn[v] = sinking > 0 || o->options->no_center ? 0 : 1;
-    if (sinking > 0)
-      vector_add_scaled(place, o->depth[v] * fmin(1 / sinking, longest_step), direction);
-  }
 }
+
+/* ---------------------------------------------------------------------------------- with a centre
+ */
 
 /** Between the offset and the copy shrunk to the centre. */
 static void blend(const offsetting *o, double *inner) {
@@ -161,8 +112,8 @@ static double corner_worth(const offsetting *o, int32_t h, const double *inner) 
   double upright[3], to_center[3], outer_normal[3], inner_normal[3], depth = o->options->depth;
   vector_subtract(inner_corner, outer_corner, upright);
   vector_subtract(o->options->center, outer_corner, to_center);
-  corner_normal(o, h, o->s->points, outer_normal);
-  corner_normal(o, h, inner, inner_normal);
+  corner_normal(o->s, h, o->s->points, outer_normal);
+  corner_normal(o->s, h, inner, inner_normal);
   double height = -vector_dot(outer_normal, to_center) * depth;
   if (!(height > 0))
     return 1; /* a folded corner, which the centre does not see: nothing to compare with */
@@ -197,34 +148,107 @@ static void draw_folded(offsetting *o) {
     if (!o->folded[v])
       continue;
     o->smooth[v] = fmin(1, o->drawn[v] + step);
-    for (int32_t i = o->starts[v]; i < o->starts[v + 1]; i++) {
-      size_t w = (size_t)half_edge_end(o->s, o->corners[i]);
+    for (int32_t i = o->in.starts[v]; i < o->in.starts[v + 1]; i++) {
+      size_t w = (size_t)half_edge_end(o->s, o->in.corners[i]);
       o->smooth[w] = fmax(o->smooth[w], (o->smooth[v] + o->drawn[w]) / 2);
     }
   }
   memcpy(o->drawn, o->smooth, o->s->point_count * sizeof *o->drawn);
 }
 
+static void draw_to_center(offsetting *o, double *inner) {
+  const int most_rounds = 20;
+  place_offset(o);
+  blend(o, inner);
+  size_t folded = mark_folded(o, inner);
+  for (int round = 0; folded > 0 && round < most_rounds; round++) {
+    draw_folded(o);
+    blend(o, inner);
+    folded = mark_folded(o, inner);
+  }
+  for (size_t v = 0; folded > 0 && v < o->s->point_count; v++)
+    o->drawn[v] = 1;
+  blend(o, inner);
+}
+
+/* ------------------------------------------------------------------------------- without a centre
+ */
+
+/** Keep away from the opposite side. */
+static hexcon_status keep_room(hexcon_context *context, offsetting *o) {
+  double *room = o->smooth;
+  for (size_t v = 0; v < o->s->point_count; v++)
+    room[v] = way_for(o, v, o->depth[v]) / part_of_room;
+  hexcon_status status = inward_room_find(context, o->s, o->in.directions, room);
+  for (size_t v = 0; !status && v < o->s->point_count; v++)
+    o->depth[v] = fmin(o->depth[v], part_of_room * room[v] / way_for(o, v, 1));
+  return status;
+}
+
+/** Sine of the angle between an upright edge and a corner triangle; negative on its outside. */
+static double sine_over(const double normal[3], const double upright[3]) {
+  double scale = vector_length(normal) * vector_length(upright);
+  return scale > 0 ? -vector_dot(normal, upright) / scale : 0;
+}
+
+/** Whether a corner of the copy is turned over, where the surface's is not. */
+static bool is_folded(const offsetting *o, int32_t h) {
+  double upright[3], normal[3];
+  vector_subtract(corner_place(o, h, o->offset), corner_place(o, h, o->s->points), upright);
+  double outer = sine_over(o->in.normals + 3 * (size_t)h, upright);
+  corner_normal(o->s, h, o->offset, normal);
+  return outer > 0 && sine_over(normal, upright) < fmin(least_sine, least_of_outer * outer);
+}
+
+static hexcon_status mark_faults(hexcon_context *context, offsetting *o, size_t *count) {
+  size_t crossing = 0;
+  *count = 0;
+  memset(o->folded, 0, o->s->point_count);
+  for (int32_t h = 0; h < (int32_t)(4 * o->s->quad_count); h++) {
+    if (!is_folded(o, h))
+      continue;
+    ++*count;
+    for (int turn = -1; turn <= 1; turn++)
+      o->folded[o->s->quads[half_edge_turn(h, turn)]] = 1;
+  }
+  hexcon_status status = crossing_triangles_mark(context, o->s, o->offset, o->folded, &crossing);
+  *count += crossing;
+  return status;
+}
+
+/** Raise the copy where it is at fault until it is not: on the surface itself it would be none. */
+static hexcon_status rise_from_faults(hexcon_context *context, offsetting *o) {
+  const int most_rounds = 16;
+  size_t faults = 1;
+  hexcon_status status = keep_room(context, o);
+  memset(o->folded, 0, o->s->point_count);
+  for (int round = 0; !status && faults > 0 && round < most_rounds; round++) {
+    for (size_t v = 0; v < o->s->point_count; v++)
+      o->depth[v] *= o->folded[v] ? rising : 1;
+    smooth_depths(o);
+    place_offset(o);
+    status = mark_faults(context, o, &faults);
+  }
+  return status;
+}
+
+/* ------------------------------------------------------------------------------------------------
+ */
+
 static hexcon_status offsetting_new(hexcon_context *context, const surface *s, offsetting *o) {
-  size_t points = s->point_count, corners = 4 * s->quad_count;
+  size_t points = s->point_count;
   o->s = s;
-  o->normals = context_allocate(context, corners, 3 * sizeof *o->normals);
-  o->starts = context_allocate(context, points + 1, sizeof *o->starts);
-  o->corners = context_allocate(context, corners, sizeof *o->corners);
   o->depth = context_allocate(context, points, sizeof *o->depth);
   o->smooth = context_allocate(context, points, sizeof *o->smooth);
   o->offset = context_allocate(context, points, 3 * sizeof *o->offset);
   o->drawn = context_allocate(context, points, sizeof *o->drawn);
   o->folded = context_allocate(context, points, sizeof *o->folded);
-  bool complete = o->normals && o->starts && o->corners && o->depth && o->smooth && o->offset &&
-                  o->drawn && o->folded;
-  return complete ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
+  bool complete = o->depth && o->smooth && o->offset && o->drawn && o->folded;
+  return complete ? inward_directions_new(context, s, &o->in) : HEXCON_OUT_OF_MEMORY;
 }
 
 static void offsetting_free(hexcon_context *context, offsetting *o) {
-  context_free(context, o->normals);
-  context_free(context, o->starts);
-  context_free(context, o->corners);
+  inward_directions_free(context, &o->in);
   context_free(context, o->depth);
   context_free(context, o->smooth);
   context_free(context, o->offset);
@@ -234,23 +258,17 @@ static void offsetting_free(hexcon_context *context, offsetting *o) {
 
 hexcon_status inner_surface_place(hexcon_context *context, const surface *s,
                                   const inner_surface_options *options, double *inner) {
-  const int most_rounds = 20;
   offsetting o = {.options = options};
   hexcon_status status = offsetting_new(context, s, &o);
   if (!status) {
-    collect_corners(&o);
-    place_offset(&o);
-    blend(&o, inner);
-    size_t folded = options->no_center ? 0 : mark_folded(&o, inner);
-    for (int round = 0; folded > 0 && round < most_rounds; round++) {
-      draw_folded(&o);
-      blend(&o, inner);
-      folded = mark_folded(&o, inner);
-    }
-    for (size_t v = 0; folded > 0 && v < s->point_count; v++)
-      o.drawn[v] = 1;
-    blend(&o, inner);
+    find_depths(&o);
+    if (options->no_center)
+      status = rise_from_faults(context, &o);
+    else
+      draw_to_center(&o, inner);
   }
+  if (!status && options->no_center)
+    memcpy(inner, o.offset, 3 * s->point_count * sizeof *inner);
   offsetting_free(context, &o);
   return status;
 }

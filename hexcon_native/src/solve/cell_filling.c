@@ -46,7 +46,8 @@ static void place_dominoes(const cell_problem *p, double (*local)[3], double *po
 /** All points of layers and cells. */
 static hexcon_status place(hexcon_context *context, const cell_problem *p, double thickness,
                            double *points) {
-  inner_surface_options options = {.thickness = thickness, .depth = 0.45};
+  inner_surface_options options = {
+      .thickness = thickness, .depth = 0.45, .no_center = p->no_center};
   memcpy(options.center, p->center, sizeof options.center);
   memcpy(points, p->s->points, 3 * p->s->point_count * sizeof *points);
   double layers = (double)p->cells.layers;

@@ -8,7 +8,8 @@
 typedef struct cell_problem {
   const surface *s;
   const hexcon_mesh_options *options;
-  double center[3]; /**< the caller's to find */
+  double center[3]; /**< the caller's to find, .. */
+  bool no_center;   /**< .. where there is one */
   double bound;     /**< of the worst scaled Jacobian, from the surface's own corners */
   uint8_t *colours;
   double *weights; /**< [4 quad_count] of pairs */

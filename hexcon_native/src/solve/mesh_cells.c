@@ -34,29 +34,56 @@ enum { STAR_QUADS = 64 };
  */
 static const double good_worst = 0.1, near_the_bound = 0.8;
 
-/** The centre: sees all corners, or, where some are folded, at least the quads they belong to. */
-static hexcon_status find_center(hexcon_context *context, const surface *s, double center[3]) {
-  double margin;
-  hexcon_status status = surface_star_center(context, s, center, &margin);
+/** A body with holes or cavities has no centre: its Euler characteristic tells without looking. */
+static bool is_ball(const surface *s) {
+  return s->component_count == 1 && s->point_count == s->quad_count + 2;
+}
+
+/** The centre: sees all corners, or, where some are folded, at least the quads they belong to. Not
+ * every body has one. */
+static hexcon_status find_center(hexcon_context *context, const surface *s, double center[3],
+                                 bool *found) {
+  double margin = -1;
+  hexcon_status status = is_ball(s) ? surface_star_center(context, s, center, &margin) : HEXCON_OK;
   if (!status)
     status = surface_check_fillable(context, s, margin > 0);
-  if (!status && !(margin > 0))
+  if (!status && is_ball(s) && !(margin > 0))
     status = surface_mean_center(context, s, center, &margin);
-  if (!status && !(margin > 0))
-    status = context_fail(context, HEXCON_NOT_STAR_SHAPED,
-                          "no point inside sees the whole surface: cells need a convex or "
-                          "star-shaped body; cut it into such parts");
+  *found = margin > 0;
   return status;
+}
+
+static hexcon_status check_closable(hexcon_context *context, const hexcon_mesh_options *options,
+                                    bool has_center) {
+  if (has_center || options->tetrahedralise)
+    return HEXCON_OK;
+  return context_fail(context, HEXCON_NOT_STAR_SHAPED,
+                      "no point inside sees the whole surface: cells need tetrahedra inside then, "
+                      "and no mesher of tetrahedra was given; give one, or cut the body into "
+                      "convex or star-shaped parts");
 }
 
 static hexcon_status prepare(hexcon_context *context, const surface *s,
                              const hexcon_mesh_options *options, cell_problem *p) {
   double center[3] = {0};
-  hexcon_status status = find_center(context, s, center);
+  bool has_center = false;
+  hexcon_status status = find_center(context, s, center, &has_center);
+  if (!status)
+    status = check_closable(context, options, has_center);
   if (!status)
     status = cell_problem_new(context, s, options, p);
   memcpy(p->center, center, sizeof center);
+  p->no_center = !has_center;
   return status;
+}
+
+static hexcon_status check_found(hexcon_context *context, const cell_filling *best) {
+  if (best->points)
+    return HEXCON_OK;
+  return context_fail(
+      context, HEXCON_NOT_STAR_SHAPED,
+      "no point inside sees the whole surface, and no tetrahedra were found between "
+      "the cells: thin or narrow parts may need smaller quads");
 }
 
 /* ------------------------------------------------------------------------------------ improving */
@@ -199,7 +226,7 @@ static hexcon_status try_way(hexcon_context *context, cell_problem *p, const att
     status = try_closure(context, p, way, CLOSURE_TETRAHEDRA, mesh, best);
   bool star =
       !meshes_inside || !best->points || best->inverted > 0 || p->s->quad_count <= STAR_QUADS;
-  if (!status && star)
+  if (!status && star && !p->no_center)
     status = try_closure(context, p, way, CLOSURE_STAR, mesh, best);
   return status;
 }
@@ -236,6 +263,8 @@ hexcon_status mesh_cells(hexcon_context *context, const surface *s,
   }
   mesh_note_seconds(mesh, "cells", start);
   start = mesh_clock();
+  if (!status)
+    status = check_found(context, &best);
   if (!status)
     status = polish(context, &p, &best);
   if (status == HEXCON_OUT_OF_TIME && best.points) {
