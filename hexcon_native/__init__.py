@@ -123,22 +123,28 @@ class SurfaceReport:
     """Facts of a closed quad surface.
 
     n, points, edges      counts
-    genus, components     of the whole; euler = points - edges + quads
+    genus, components     of the whole, the genus summed over the components; euler = points - edges + quads
+    cavities              components inside an odd number of others; components - cavities are bodies
     even                  every component has an even number of quads
     bipartite             the points can be coloured black and white along edges
-    oriented              quads face outward as given; False: all face inward, and `mesh` turns them
+    fillable              a hex mesh with this boundary exists, as a complex (Erickson 2014): the quads are
+                          even in number, and no odd closed path of edges bounds inside. None: not
+                          known (a surface that crosses itself, too many holes, or several bodies with an odd part)
+    oriented              quads face out of the solid as given; False: all shells, or some, face into
+                          it, and `mesh` turns those
     convex                no edge is concave by more than the warp of its quads
     star_center           (3,) the deepest point that sees every corner triangle, or None
     star_margin           its distance to the nearest corner plane, in the unit of the points
-    volume                enclosed, positive
+    volume                enclosed, without cavities; positive
     loops                 Loops
     """
 
     def __init__(self, facts, loop_figures):
         self.n = facts["quads"]
-        for name in ("points", "edges", "genus", "components", "euler", "even", "bipartite",
+        for name in ("points", "edges", "genus", "components", "cavities", "euler", "even", "bipartite",
                      "oriented", "convex", "star_margin"):
             setattr(self, name, facts[name])
+        self.fillable = (None, True, False)[facts["fillable"]]
         self.star_center = np.array(facts["star_center"]) if facts["star_shaped"] else None
         self.volume = abs(facts["volume"])
         self.loops = loop_figures
@@ -183,7 +189,7 @@ def check_surface(points, quads):
     TOO_LARGE, INDEX_OUT_OF_RANGE, NOT_FINITE, REPEATED_VERTEX, UNUSED_POINT, NON_MANIFOLD_EDGE,
     NOT_CLOSED, NOT_ORIENTABLE, INCONSISTENT_ORIENTATION, NON_MANIFOLD_VERTEX, OUT_OF_MEMORY.
     An odd, a non-bipartite or an inward surface, or one of several components, is reported, not
-    raised. Cost: linear in n.
+    raised. Cost: linear in n; of a surface that is not bipartite near-linear, times the genus squared.
     """
     quads = _ids(quads, 4, "quads")
     facts = _core.check_surface(_points(points), quads)
@@ -402,15 +408,19 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
     allow_uncertified  return the best mesh found even if its certificate fails
     certify            False: prove nothing; the mesh has no certificate, and a topological one no
                        quality
-    Returns a Mesh. Raises HexconError: those of check_surface, SEVERAL_COMPONENTS, ODD, NOT_SWEPT
+    Returns a Mesh. Raises HexconError: those of check_surface, SEVERAL_COMPONENTS
+    (elements: one quad of each body), ODD (of a single shell of several: elements: one quad of each
+    such shell), NO_HEX_MESH (elements: points of closed paths, mostly one, that bound inside and are
+    odd: no hex mesh exists; of all methods but four-split), NOT_SWEPT
     (elements: the quads where the best attempt failed), NO_SHEETS (elements: the surface's quads in
     the core that no loop can be taken from; the message says how large it is; where layers take next to nothing
     away, or core is False), NOT_DICED (elements:
     quads that do not fit the subdivision that fits best), UNFILLABLE_QUAD (elements: quads on which
-    no positive hex can stand), NOT_STAR_SHAPED, NOT_BIPARTITE, NO_PAIRING, BAD_PAIRING (elements:
+    no positive hex can stand), NOT_STAR_SHAPED, NOT_BIPARTITE
+    (elements: points of an odd closed path; another method may do), NO_PAIRING, BAD_PAIRING (elements:
     quads of pairs that are none), SELF_CROSSING (elements: quads that a loop passes twice), NO_SIDES
     (elements: points of a closed path that crosses a family of loops an odd number of times; never
-    on a sphere), NOT_A_BALL, NO_ROTATIONS (shelling: no rotations were found that help), NO_SMALL_FILLING (more than 16 quads, or elements: two quads with two
+    on a sphere), NOT_A_BALL (holes or cavities that the method cannot deal with), NO_ROTATIONS (shelling: no rotations were found that help), NO_SMALL_FILLING (more than 16 quads, or elements: two quads with two
     opposite corners in common), NOT_CERTIFIED (elements: hexes), OUT_OF_TIME (before there was a
     mesh), CANCELLED, BAD_ARGUMENT, OUT_OF_MEMORY. Topological meshes are returned if they are
     conforming and their boundary is exact.

@@ -41,6 +41,7 @@ class ErrorCode(enum.IntEnum):
     NO_SHEETS: int
     NOT_CERTIFIED: int
     NO_SMALL_FILLING: int
+    NO_HEX_MESH: int
 
 class Loops:
     lengths: NDArray[np.int64]
@@ -53,9 +54,11 @@ class SurfaceReport:
     edges: int
     genus: int
     components: int
+    cavities: int
     euler: int
     even: bool
     bipartite: bool
+    fillable: bool | None
     oriented: bool
     convex: bool
     star_center: NDArray[np.float64] | None

@@ -44,28 +44,32 @@ typedef enum hexcon_status {
   HEXCON_NON_MANIFOLD_VERTEX, /**< elements: points where several fans of quads meet */
   HEXCON_NOT_ORIENTABLE,      /**< elements: two quads that close a one-sided band */
   HEXCON_INCONSISTENT_ORIENTATION, /**< elements: the quads turned against the majority */
-  HEXCON_SEVERAL_COMPONENTS,       /**< elements: one quad of each component */
-  HEXCON_ODD,                      /**< an odd number of quads: no hex mesh exists */
-  HEXCON_NOT_BIPARTITE,            /**< elements: points of an odd edge cycle, in order */
-  HEXCON_NO_PAIRING,               /**< elements: quads left over when they are paired */
-  HEXCON_BAD_PAIRING,              /**< elements: quads paired twice, or with no neighbour */
-  HEXCON_SELF_CROSSING,            /**< elements: quads that one dual loop passes twice */
-  HEXCON_NO_SIDES,                 /**< elements: points of a closed path that crosses a family
-                                        of dual loops an odd number of times, in order */
-  HEXCON_NOT_A_BALL,               /**< the method closes surfaces of genus 0 only, or others only
-                                        with tetrahedra that were not found */
-  HEXCON_UNFILLABLE_QUAD,          /**< elements: quads on which no positive hex can stand */
-  HEXCON_NOT_STAR_SHAPED,          /**< no point inside sees the whole surface */
-  HEXCON_NOT_SWEPT,                /**< elements: quads where the best attempt failed */
-  HEXCON_NO_SHEETS,                /**< elements: quads of the core that no dual loop can be taken
-                                        from, as far as they are the surface's */
-  HEXCON_NOT_DICED,                /**< elements: quads that do not fit a subdivision */
-  HEXCON_NOT_CERTIFIED,            /**< elements: hexes whose Jacobian is not proved positive */
-  HEXCON_OUT_OF_TIME,              /**< the time budget ran out before there was a mesh */
-  HEXCON_NO_SMALL_FILLING,         /**< more than 16 quads, or a class that the table of small
-                                        fillings lacks; elements: two quads with two opposite corners
-                                        in common */
-  HEXCON_NO_ROTATIONS,             /**< no rotations of edges that lead to loops which can go */
+  HEXCON_SEVERAL_COMPONENTS, /**< several bodies; elements: one quad of each one's outer shell */
+  HEXCON_ODD,                /**< an odd number of quads: no hex mesh exists; or of a single
+                                  shell: none is made; elements: one quad of each such shell,
+                                  if there are several shells */
+  HEXCON_NOT_BIPARTITE,      /**< elements: points of an odd edge cycle, in order */
+  HEXCON_NO_PAIRING,         /**< elements: quads left over when they are paired */
+  HEXCON_BAD_PAIRING,        /**< elements: quads paired twice, or with no neighbour */
+  HEXCON_SELF_CROSSING,      /**< elements: quads that one dual loop passes twice */
+  HEXCON_NO_SIDES,           /**< elements: points of a closed path that crosses a family
+                                  of dual loops an odd number of times, in order */
+  HEXCON_NOT_A_BALL,         /**< the body has holes through it, or cavities, with which the
+                                  method cannot deal, or only with tetrahedra that were not found */
+  HEXCON_UNFILLABLE_QUAD,    /**< elements: quads on which no positive hex can stand */
+  HEXCON_NOT_STAR_SHAPED,    /**< no point inside sees the whole surface */
+  HEXCON_NOT_SWEPT,          /**< elements: quads where the best attempt failed */
+  HEXCON_NO_SHEETS,          /**< elements: quads of the core that no dual loop can be taken
+                                  from, as far as they are the surface's */
+  HEXCON_NOT_DICED,          /**< elements: quads that do not fit a subdivision */
+  HEXCON_NOT_CERTIFIED,      /**< elements: hexes whose Jacobian is not proved positive */
+  HEXCON_OUT_OF_TIME,        /**< the time budget ran out before there was a mesh */
+  HEXCON_NO_SMALL_FILLING,   /**< more than 16 quads, or a class that the table of small
+                                  fillings lacks; elements: two quads with two opposite corners
+                                  in common */
+  HEXCON_NO_ROTATIONS,       /**< no rotations of edges that lead to loops which can go */
+  HEXCON_NO_HEX_MESH,        /**< no hex mesh exists: closed paths of an odd number of edges
+                                  bound a surface inside; elements: their points, in order */
   HEXCON_STATUS_COUNT
 } hexcon_status;
 
@@ -103,27 +107,44 @@ size_t hexcon_context_elements(const hexcon_context *context, const int32_t **el
 
 /* ------------------------------------------------------------------------------------ surface */
 
+/** Whether a hex mesh with a given boundary exists, as a complex: its shape is another question. */
+typedef enum hexcon_fillable {
+  HEXCON_FILLABLE_UNKNOWN = 0,
+  HEXCON_FILLABLE_YES,
+  HEXCON_FILLABLE_NO,
+  HEXCON_FILLABLE_COUNT
+} hexcon_fillable;
+
 /** Facts of a surface. */
 typedef struct hexcon_surface_report {
   size_t quad_count, point_count, edge_count, component_count;
-  int64_t euler;         /**< points - edges + quads */
-  int64_t genus;         /**< sum over the components */
-  bool even;             /**< even number of quads in every component */
-  bool bipartite;        /**< points can be 2-coloured along edges */
-  bool oriented;         /**< quads face outward as given; false: all of them face inward */
-  bool convex;           /**< no edge is concave by more than the warp of its quads */
-  bool star_shaped;      /**< star_center sees every corner triangle from inside */
+  size_t cavity_count; /**< components that lie inside an odd number of others */
+  int64_t euler;       /**< points - edges + quads */
+  int64_t genus;       /**< sum over the components */
+  bool even;           /**< even number of quads in every component */
+  bool bipartite;      /**< points can be 2-coloured along edges */
+  /** Source: Erickson, Efficiently hex-meshing things with topology (2014): YES if the quads are
+   * even in number and no odd closed path of edges, or sum of such, bounds inside. UNKNOWN of a
+   * surface that crosses itself, of several bodies with an odd shell, and where the closed paths
+   * are too many, or too near to each other, to tell. */
+  hexcon_fillable fillable;
+  bool oriented;    /**< quads face out of the solid as given; false: all shells, or some, face into
+                       it, and are turned */
+  bool convex;      /**< no edge is concave by more than the warp of its quads */
+  bool star_shaped; /**< star_center sees every corner triangle from inside */
   double star_center[3]; /**< deepest such point, if star_shaped */
   double star_margin;    /**< its distance to the nearest corner plane; < 0 if there is none */
-  double volume;         /**< enclosed by the bilinear quads, positive */
+  double volume;         /**< enclosed by the bilinear quads, without the cavities; positive */
   size_t loop_count, self_crossing_count;
 } hexcon_surface_report;
 
 /**
- * Check a surface and report its facts. Linear in quad_count (expected, for the star centre).
+ * Check a surface and report its facts. Linear in quad_count (expected, for the star centre); of
+ * several shells, linear in the quads of those round each other; where the points cannot be
+ * 2-coloured, near-linear times the square of the genus.
  * @return HEXCON_OK, or the first fault of EMPTY, TOO_LARGE, INDEX_OUT_OF_RANGE, NOT_FINITE,
  *         REPEATED_VERTEX, UNUSED_POINT, NON_MANIFOLD_EDGE, NOT_CLOSED, NOT_ORIENTABLE,
- *         INCONSISTENT_ORIENTATION, NON_MANIFOLD_VERTEX; OUT_OF_MEMORY.
+ *         INCONSISTENT_ORIENTATION, NON_MANIFOLD_VERTEX; OUT_OF_MEMORY, CANCELLED.
  */
 hexcon_status hexcon_check_surface(hexcon_context *context, const double *points,
                                    size_t point_count, const int32_t *quads, size_t quad_count,
@@ -388,11 +409,12 @@ typedef struct hexcon_mesh hexcon_mesh;
  * Fill a surface with hexes. The first point_count rows of the result are the input points.
  * @param options  NULL for defaults
  * @param mesh     receives the result; free with hexcon_mesh_free
- * Errors: those of hexcon_check_surface, SEVERAL_COMPONENTS, ODD, NOT_SWEPT, UNFILLABLE_QUAD,
- * NOT_STAR_SHAPED, NO_SHEETS, NOT_DICED, NO_SMALL_FILLING, NO_ROTATIONS, NO_PAIRING, BAD_PAIRING,
- * SELF_CROSSING, NO_SIDES, NOT_A_BALL, NOT_CERTIFIED, CANCELLED, OUT_OF_TIME, BAD_ARGUMENT,
- * OUT_OF_MEMORY; `mesh` is then NULL. A topological mesh that is conforming and has the surface for
- * its boundary is no error. Cost: linear in the hexes made, plus the optimisation of what is bad.
+ * Errors: those of hexcon_check_surface, SEVERAL_COMPONENTS, ODD, NO_HEX_MESH (all methods but
+ * four-split), NOT_BIPARTITE, NOT_SWEPT, UNFILLABLE_QUAD, NOT_STAR_SHAPED, NO_SHEETS, NOT_DICED,
+ * NO_SMALL_FILLING, NO_ROTATIONS, NO_PAIRING, BAD_PAIRING, SELF_CROSSING, NO_SIDES, NOT_A_BALL,
+ * NOT_CERTIFIED, CANCELLED, OUT_OF_TIME, BAD_ARGUMENT, OUT_OF_MEMORY; `mesh` is then NULL. A
+ * topological mesh that is conforming and has the surface for its boundary is no error. Cost:
+ * linear in the hexes made, plus the optimisation of what is bad.
  */
 hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points, size_t point_count,
                                   const int32_t *quads, size_t quad_count,

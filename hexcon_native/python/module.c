@@ -25,12 +25,13 @@ static PyObject *boolean(bool value) {
 
 static PyObject *report_as_dict(const hexcon_surface_report *r) {
   return Py_BuildValue(
-      "{s:n,s:n,s:n,s:n,s:L,s:L,s:N,s:N,s:N,s:N,s:N,s:(ddd),s:d,s:d,s:n,s:n}", "quads",
+      "{s:n,s:n,s:n,s:n,s:n,s:i,s:L,s:L,s:N,s:N,s:N,s:N,s:N,s:(ddd),s:d,s:d,s:n,s:n}", "quads",
       (Py_ssize_t)r->quad_count, "points", (Py_ssize_t)r->point_count, "edges",
-      (Py_ssize_t)r->edge_count, "components", (Py_ssize_t)r->component_count, "euler",
-      (long long)r->euler, "genus", (long long)r->genus, "even", boolean(r->even), "bipartite",
-      boolean(r->bipartite), "oriented", boolean(r->oriented), "convex", boolean(r->convex),
-      "star_shaped", boolean(r->star_shaped), "star_center", r->star_center[0], r->star_center[1],
+      (Py_ssize_t)r->edge_count, "components", (Py_ssize_t)r->component_count, "cavities",
+      (Py_ssize_t)r->cavity_count, "fillable", (int)r->fillable, "euler", (long long)r->euler,
+      "genus", (long long)r->genus, "even", boolean(r->even), "bipartite", boolean(r->bipartite),
+      "oriented", boolean(r->oriented), "convex", boolean(r->convex), "star_shaped",
+      boolean(r->star_shaped), "star_center", r->star_center[0], r->star_center[1],
       r->star_center[2], "star_margin", r->star_margin, "volume", r->volume, "loop_count",
       (Py_ssize_t)r->loop_count, "self_crossing_count", (Py_ssize_t)r->self_crossing_count);
 }

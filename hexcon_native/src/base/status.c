@@ -36,6 +36,7 @@ static const char *const status_names[HEXCON_STATUS_COUNT] = {
     [HEXCON_OUT_OF_TIME] = "OUT_OF_TIME",
     [HEXCON_NO_SMALL_FILLING] = "NO_SMALL_FILLING",
     [HEXCON_NO_ROTATIONS] = "NO_ROTATIONS",
+    [HEXCON_NO_HEX_MESH] = "NO_HEX_MESH",
 };
 
 const char *hexcon_status_name(int status) {

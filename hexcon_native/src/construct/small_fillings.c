@@ -189,7 +189,7 @@ static hexcon_status check_small(hexcon_context *context, const surface *s) {
     return context_fail(context, HEXCON_NO_SMALL_FILLING,
                         "the surface has %zu quads; the table of small fillings ends at %d",
                         s->quad_count, CODE_MOST_QUADS);
-  if (s->point_count != s->quad_count + 2)
+  if (!surface_is_sphere(s))
     return context_fail(context, HEXCON_NOT_A_BALL,
                         "small fillings are of bodies without holes: %zu quads with %zu points "
                         "are no sphere's",

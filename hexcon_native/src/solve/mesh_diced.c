@@ -65,7 +65,7 @@ static void find_bound(diced_problem *p) {
 static hexcon_status find_center(hexcon_context *context, diced_problem *p) {
   double margin = -1;
   hexcon_status status = HEXCON_OK;
-  if (p->s->point_count == p->s->quad_count + 2)
+  if (surface_is_sphere(p->s))
     status = surface_star_center(context, p->s, p->center, &margin);
   p->star_shaped = margin > 0;
   return status;

@@ -195,7 +195,7 @@ static void hand_over(const surface *s, const effort *e, const filling *f, hexco
 }
 
 static hexcon_status check_sphere(hexcon_context *context, const surface *s) {
-  if (s->point_count == s->quad_count + 2)
+  if (surface_is_sphere(s))
     return HEXCON_OK;
   return context_fail(context, HEXCON_NOT_A_BALL,
                       "the surface has holes through it: sheets fill balls only; cut it");

@@ -195,7 +195,7 @@ static hexcon_status check(hexcon_context *context, const surface *s) {
     return context_fail(context, HEXCON_NO_ROTATIONS,
                         "the surface has %zu quads: rotations are looked for up to %d",
                         s->quad_count, (int)MOST_QUADS);
-  if (s->point_count == s->quad_count + 2)
+  if (surface_is_sphere(s))
     return HEXCON_OK;
   return context_fail(context, HEXCON_NOT_A_BALL,
                       "the surface has holes through it: shelling fills balls only; cut it");

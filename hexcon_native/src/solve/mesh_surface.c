@@ -11,7 +11,8 @@
 #include "mesh_smallest.h"
 #include "mesh_swept.h"
 #include "mesh_topological.h"
-#include "surface/half_edges.h"
+#include "surface/odd_cycles.h"
+#include "surface/shells.h"
 #include "verify/certificate.h"
 #include "verify/scaled_jacobian.h"
 
@@ -49,27 +50,118 @@ static hexcon_status check_options(hexcon_context *context, const hexcon_mesh_op
   return check_pairing_options(context, options);
 }
 
-/** One component with an even number of quads: what any hex mesh of one body needs. */
-static hexcon_status check_fillable(hexcon_context *context, const surface *s) {
-  if (s->component_count > 1) {
-    int32_t next = 0;
-    for (size_t q = 0; q < s->quad_count; q++)
-      if (s->component_of_quad[q] == next) {
-        context_add_element(context, (int32_t)q);
-        next++;
-      }
-    return context_fail(context, HEXCON_SEVERAL_COMPONENTS,
-                        "the surface has %zu separate parts (one quad of each listed); mesh them "
-                        "one by one",
-                        s->component_count);
+/* --------------------------------------------------------------------------- what can be filled */
+
+static hexcon_status check_one_body(hexcon_context *context, const surface *s) {
+  const size_t bodies = surface_body_count(s);
+  if (bodies == 1)
+    return HEXCON_OK;
+  uint8_t *seen = context_allocate_zeroed(context, s->component_count, sizeof *seen);
+  if (!seen)
+    return HEXCON_OUT_OF_MEMORY;
+  for (size_t q = 0; q < s->quad_count; q++) {
+    int32_t component = s->component_of_quad[q];
+    if (!seen[component] && !s->is_cavity[component])
+      context_add_element(context, (int32_t)q);
+    seen[component] = 1;
   }
-  if (s->quad_count % 2)
+  context_free(context, seen);
+  return context_fail(context, HEXCON_SEVERAL_COMPONENTS,
+                      "the surface bounds %zu separate bodies, side by side or one in a cavity of "
+                      "another (one quad of each outer shell listed); mesh them one by one",
+                      bodies);
+}
+
+/** Erickson's theorem would allow an odd shell, if another one is odd too, but no construction here
+ * joins quads of different shells. */
+static hexcon_status check_even_shells(hexcon_context *context, const surface *s) {
+  uint8_t *odd = context_allocate_zeroed(context, s->component_count, sizeof *odd);
+  if (!odd)
+    return HEXCON_OUT_OF_MEMORY;
+  for (size_t q = 0; q < s->quad_count; q++)
+    odd[s->component_of_quad[q]] ^= 1;
+  size_t count = 0;
+  for (size_t q = 0; q < s->quad_count; q++)
+    if (odd[s->component_of_quad[q]]) {
+      odd[s->component_of_quad[q]] = 0;
+      context_add_element(context, (int32_t)q);
+      count++;
+    }
+  context_free(context, odd);
+  if (count > 0)
     return context_fail(context, HEXCON_ODD,
-                        "the surface has %zu quads, an odd number: no hex mesh has such a "
-                        "boundary; change the size a little or subdivide the quads",
-                        s->quad_count);
+                        "%zu of the surface's %zu shells have an odd number of quads (one quad of "
+                        "each listed): a hex mesh may exist, but none that HexCon makes; change "
+                        "the size a little",
+                        count, s->component_count);
   return HEXCON_OK;
 }
+
+static hexcon_status check_even(hexcon_context *context, const surface *s) {
+  if (s->quad_count % 2 == 0)
+    return s->component_count > 1 ? check_even_shells(context, s) : HEXCON_OK;
+  return context_fail(context, HEXCON_ODD,
+                      "the surface has %zu quads, an odd number: no hex mesh has such a "
+                      "boundary; change the size a little or subdivide the quads",
+                      s->quad_count);
+}
+
+static hexcon_status refuse_odd_cycles(hexcon_context *context, const odd_cycles *found) {
+  for (size_t i = 0; i < found->point_count; i++)
+    context_add_element(context, found->points[i]);
+  if (found->path_count == 1)
+    return context_fail(context, HEXCON_NO_HEX_MESH,
+                        "no hex mesh has this boundary: a closed path of %zu edges (its points "
+                        "listed) bounds a surface inside and is odd; change the size so that it "
+                        "becomes even",
+                        found->point_count);
+  return context_fail(context, HEXCON_NO_HEX_MESH,
+                      "no hex mesh has this boundary: %zu closed paths (their points listed, path "
+                      "after path) bound a surface inside together, and their %zu edges are an odd "
+                      "number; change the size so that it becomes even",
+                      found->path_count, found->point_count);
+}
+
+/** four-split fills no body: it lays layers, under which any boundary can be left. */
+static hexcon_status check_odd_cycles(hexcon_context *context, const surface *s,
+                                      const hexcon_mesh_options *options,
+                                      hexcon_fillable *fillable) {
+  odd_cycles found;
+  if (options->method == HEXCON_METHOD_FOUR_SPLIT)
+    return HEXCON_OK;
+  hexcon_status status = odd_cycles_find(context, s, &found);
+  *fillable = found.fillable;
+  if (!status && found.fillable == HEXCON_FILLABLE_NO)
+    status = refuse_odd_cycles(context, &found);
+  odd_cycles_free(context, &found);
+  return status;
+}
+
+/** What any hex mesh of one body needs of its boundary. */
+static hexcon_status check_fillable(hexcon_context *context, const surface *s,
+                                    const hexcon_mesh_options *options, hexcon_fillable *fillable) {
+  hexcon_status status = check_one_body(context, s);
+  if (!status)
+    status = check_even(context, s);
+  return status ? status : check_odd_cycles(context, s, options, fillable);
+}
+
+static bool deals_with_cavities(hexcon_method method) {
+  return method == HEXCON_METHOD_DICED || method == HEXCON_METHOD_CELLS ||
+         method_is_topological(method);
+}
+
+static hexcon_status check_cavities(hexcon_context *context, const surface *s,
+                                    hexcon_method method) {
+  if (s->cavity_count == 0 || deals_with_cavities(method))
+    return HEXCON_OK;
+  return context_fail(context, HEXCON_NOT_A_BALL,
+                      "the body has %zu cavities: this method fills bodies without any; diced and "
+                      "cells may do",
+                      s->cavity_count);
+}
+
+/* -------------------------------------------------------------------------------------- filling */
 
 /** What was made in time is proved, even after the deadline. */
 static hexcon_status certify(hexcon_context *context, hexcon_mesh *mesh) {
@@ -107,6 +199,9 @@ static hexcon_status judge(hexcon_context *context, const hexcon_mesh_options *o
 static hexcon_status construct(hexcon_context *context, const surface *s,
                                const hexcon_mesh_options *options, hexcon_mesh *mesh) {
   mesh->topological = method_is_topological(options->method);
+  hexcon_status status = check_cavities(context, s, options->method);
+  if (status)
+    return status;
   if (mesh->topological)
     return mesh_topological(context, s, options, mesh);
   if (options->method == HEXCON_METHOD_SWEPT)
@@ -167,6 +262,20 @@ static hexcon_status fill_surface(hexcon_context *context, const surface *s,
   return status;
 }
 
+/** The points of an odd closed path are listed: say what it means for this body. */
+static hexcon_status explain_colours(hexcon_context *context, hexcon_fillable fillable) {
+  return context_fail(
+      context, HEXCON_NOT_BIPARTITE,
+      "the method needs points that can be coloured black and white along edges, "
+      "but a closed path of an odd number of edges (its points listed) goes round a "
+      "hole or a handle. %s; choose another size, so that the path becomes even, "
+      "or quads for a sweep",
+      fillable == HEXCON_FILLABLE_YES
+          ? "It bounds nothing inside: the surface does have a hex mesh in "
+            "principle, but not by this method"
+          : "Whether the surface has a hex mesh at all could not be told");
+}
+
 hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points, size_t point_count,
                                   const int32_t *quads, size_t quad_count,
                                   const hexcon_mesh_options *options, hexcon_mesh **mesh) {
@@ -177,17 +286,20 @@ hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points,
   if (status)
     return status;
   surface s;
+  hexcon_fillable fillable = HEXCON_FILLABLE_UNKNOWN;
   double start = mesh_clock();
   context->deadline = chosen.budget > 0 ? start + chosen.budget : 0;
   status = surface_build(context, points, point_count, quads, quad_count, &s);
   if (!status)
-    status = check_fillable(context, &s);
+    status = check_fillable(context, &s, &chosen, &fillable);
   hexcon_mesh *made = status ? NULL : context_allocate_zeroed(context, 1, sizeof *made);
   if (!status && !made)
     status = HEXCON_OUT_OF_MEMORY;
   if (!status) {
     double checks = mesh_clock() - start;
     status = fill_surface(context, &s, &chosen, made);
+    if (status == HEXCON_NOT_BIPARTITE)
+      status = explain_colours(context, fillable);
     mesh_note(made, "seconds checks", checks);
   }
   surface_free(context, &s);

@@ -263,7 +263,7 @@ static hexcon_status check_distinct(hexcon_context *context, const surface *s) {
  */
 static hexcon_status check_closable(hexcon_context *context, const surface *s, const recipe *r,
                                     const hexcon_mesh_options *options) {
-  bool ball = s->component_count == 1 && s->point_count == s->quad_count + 2;
+  bool ball = surface_is_sphere(s);
   bool by_geodes = r->close == nested_mesh_close_by_geodes;
   if (!r->close || ball || (by_geodes && options->tetrahedralise))
     return HEXCON_OK;

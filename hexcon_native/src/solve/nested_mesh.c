@@ -25,16 +25,11 @@ static void find_mean(const surface *s, double center[3]) {
     center[i % 3] += s->points[i] / (double)s->point_count;
 }
 
-/** A torus has no star centre: its Euler characteristic tells without looking for one. */
-static bool is_sphere(const surface *s) {
-  return s->point_count == s->quad_count + 2;
-}
-
 static hexcon_status find_center(hexcon_context *context, const surface *s, nested_mesh *mesh) {
-  double margin = -1;
+  double margin = -1; /* a torus has no star centre: no need to look for one */
   hexcon_status status =
-      is_sphere(s) ? surface_star_center(context, s, mesh->center, &margin) : HEXCON_OK;
-  if (!status && is_sphere(s) && !(margin > 0)) /* flat corners do no harm here */
+      surface_is_sphere(s) ? surface_star_center(context, s, mesh->center, &margin) : HEXCON_OK;
+  if (!status && surface_is_sphere(s) && !(margin > 0)) /* flat corners do no harm here */
     status = surface_mean_center(context, s, mesh->center, &margin);
   mesh->star_shaped = margin > 0;
   if (!status && !mesh->star_shaped)

@@ -7,21 +7,24 @@ static const double *corner_point(const surface *s, int32_t half_edge) {
   return s->points + 3 * (size_t)s->quads[half_edge];
 }
 
-double surface_volume(const surface *s) {
-  /* Each quad counts as the mean of its two diagonal splits, which is its bilinear patch exactly.
-   * Coordinates relative to one point of the surface: less cancellation far from the origin. */
+double surface_quad_volume(const surface *s, int32_t quad, const double origin[3]) {
+  /* The mean of the quad's two diagonal splits is its bilinear patch exactly. */
   static const int splits[4][3] = {{0, 1, 2}, {0, 2, 3}, {1, 2, 3}, {1, 3, 0}};
+  double corners[4][3], sum = 0;
+  for (int corner = 0; corner < 4; corner++)
+    vector_subtract(corner_point(s, 4 * quad + corner), origin, corners[corner]);
+  for (int i = 0; i < 4; i++)
+    sum += vector_determinant(corners[splits[i][0]], corners[splits[i][1]], corners[splits[i][2]]);
+  return sum / 12;
+}
+
+double surface_volume(const surface *s) {
+  /* Relative to one point of the surface: less cancellation far from the origin. */
   const double *origin = corner_point(s, 0);
   double sum = 0;
-  for (size_t q = 0; q < s->quad_count; q++) {
-    double corners[4][3];
-    for (int corner = 0; corner < 4; corner++)
-      vector_subtract(corner_point(s, (int32_t)(4 * q) + corner), origin, corners[corner]);
-    for (int i = 0; i < 4; i++)
-      sum +=
-          vector_determinant(corners[splits[i][0]], corners[splits[i][1]], corners[splits[i][2]]);
-  }
-  return sum / 12;
+  for (size_t q = 0; q < s->quad_count; q++)
+    sum += surface_quad_volume(s, (int32_t)q, origin);
+  return sum;
 }
 
 void surface_quad_normal(const surface *s, int32_t quad, double normal[3]) {

@@ -5,8 +5,12 @@
 
 #include "half_edges.h"
 
-/** Volume enclosed by the bilinear quads, positive if they face outward. Linear. */
+/** Volume enclosed by the bilinear quads, less that of cavities; positive if they face out of the
+ * solid. Linear. */
 double surface_volume(const surface *s);
+
+/** What one quad adds to it: its volume under the bilinear quad, seen from `origin`. */
+double surface_quad_volume(const surface *s, int32_t quad, const double origin[3]);
 
 /** Mean normal of a quad, of length twice its area (half the cross product of its diagonals). */
 void surface_quad_normal(const surface *s, int32_t quad, double normal[3]);

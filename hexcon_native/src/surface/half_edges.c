@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "checks.h"
-#include "geometry.h"
+#include "shells.h"
 
 size_t surface_used_point_count(const int32_t *quads, size_t quad_count) {
   int32_t largest = -1;
@@ -17,6 +17,7 @@ void surface_free(hexcon_context *context, surface *s) {
   context_free(context, s->quads);
   context_free(context, s->twins);
   context_free(context, s->component_of_quad);
+  context_free(context, s->is_cavity);
   memset(s, 0, sizeof *s);
 }
 
@@ -206,24 +207,6 @@ static hexcon_status check_vertices(hexcon_context *context, const surface *s) {
   return HEXCON_OK;
 }
 
-/** Reverse every quad, keeping its first corner, and the adjacency with it. */
-static void turn_surface(surface *s) {
-  for (size_t q = 0; q < s->quad_count; q++) {
-    int32_t *quad = s->quads + 4 * q, corner = quad[1];
-    quad[1] = quad[3];
-    quad[3] = corner;
-    int32_t *twins = s->twins + 4 * q, twin = twins[0];
-    twins[0] = twins[3];
-    twins[3] = twin;
-    twin = twins[1];
-    twins[1] = twins[2];
-    twins[2] = twin;
-  }
-  for (size_t h = 0; h < 4 * s->quad_count; h++)
-    s->twins[h] = (s->twins[h] & ~3) | (3 - (s->twins[h] & 3));
-  s->turned = true;
-}
-
 static hexcon_status connect(hexcon_context *context, surface *s) {
   int32_t *sorted = context_allocate(context, 4 * s->quad_count, sizeof *sorted);
   hexcon_status status = sorted ? sort_half_edges(context, s, sorted) : HEXCON_OUT_OF_MEMORY;
@@ -251,7 +234,5 @@ hexcon_status surface_build(hexcon_context *context, const double *points, size_
     return HEXCON_OUT_OF_MEMORY;
   memcpy(out->quads, quads, 4 * quad_count * sizeof *quads);
   status = connect(context, out);
-  if (!status && points && surface_volume(out) < 0)
-    turn_surface(out);
-  return status;
+  return !status && points ? surface_orient_shells(context, out) : status;
 }

@@ -16,11 +16,18 @@ typedef struct surface {
   int32_t *twins;       /**< [4 * quad_count] the half-edge on the other side of each edge */
   int32_t *component_of_quad; /**< [quad_count] */
   size_t component_count;
-  bool turned; /**< the quads faced inward and were turned */
+  size_t cavity_count; /**< components that bound cavities; 0 where points are not known */
+  uint8_t *is_cavity;  /**< [component_count]; NULL where points are not known */
+  bool turned;         /**< quads faced into the solid and were turned, of all shells or of some */
 } surface;
 
 static inline int32_t half_edge_quad(int32_t h) {
   return h >> 2;
+}
+
+/** One component of genus 0: its Euler characteristic tells. */
+static inline bool surface_is_sphere(const surface *s) {
+  return s->component_count == 1 && s->point_count == s->quad_count + 2;
 }
 
 /** The half-edge `steps` further counter-clockwise in the same quad; steps may be -3 .. 3. */
@@ -37,7 +44,8 @@ static inline int32_t half_edge_end(const surface *s, int32_t h) {
 }
 
 /**
- * Check a surface and build its adjacency. Linear.
+ * Check a surface and build its adjacency; with points, turn its shells out of the solid. Linear,
+ * but for the nesting of several shells: see surface_orient_shells.
  * @param points  [point_count][3], or NULL: then orientation is only made consistent, point_count
  *                only bounds the ids, and unused ids are allowed
  * @param out     filled; free with surface_free, also after an error

@@ -6,9 +6,11 @@
 #include "geometry.h"
 #include "half_edges.h"
 #include "loops.h"
+#include "odd_cycles.h"
 #include "pair_crossings.h"
 #include "pair_weights.h"
 #include "pairing.h"
+#include "shells.h"
 #include "star_center.h"
 
 /** Every component on its own needs an even number: each is the boundary of its own filling. */
@@ -34,6 +36,22 @@ static hexcon_status report_bipartite(hexcon_context *context, const surface *s,
     return status;
   context_clear(context);
   return HEXCON_OK;
+}
+
+/** Of one body only the number of all quads counts; that of several bodies is told where every
+ * shell has an even number. */
+static hexcon_status report_fillable(hexcon_context *context, const surface *s,
+                                     hexcon_surface_report *report) {
+  const bool one_body = surface_body_count(s) == 1;
+  odd_cycles found;
+  if (s->quad_count % 2)
+    report->fillable = HEXCON_FILLABLE_NO;
+  if (s->quad_count % 2 || !(one_body || report->even))
+    return HEXCON_OK;
+  hexcon_status status = odd_cycles_find(context, s, &found);
+  report->fillable = found.fillable;
+  odd_cycles_free(context, &found);
+  return status;
 }
 
 static hexcon_status report_loops(hexcon_context *context, const surface *s,
@@ -74,12 +92,15 @@ hexcon_status hexcon_check_surface(hexcon_context *context, const double *points
     report->point_count = point_count;
     report->edge_count = 2 * quad_count;
     report->component_count = s.component_count;
+    report->cavity_count = s.cavity_count;
     report->euler = (int64_t)point_count - (int64_t)quad_count;
     report->genus = (int64_t)s.component_count - report->euler / 2;
     status = components_are_even(context, &s, &report->even);
   }
   if (!status)
     status = report_bipartite(context, &s, &report->bipartite);
+  if (!status)
+    status = report_fillable(context, &s, report);
   if (!status)
     status = report_loops(context, &s, report);
   if (!status)

@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+#include "odd_cycles.h"
+
+#include <string.h>
+
+#include "colouring.h"
+#include "handle_cycles.h"
+#include "linking_numbers.h"
+
+/** So many odd sums of basis cycles are looked at for the one that is shown. */
+enum { MOST_SHOWN = 32 };
+
+typedef struct search {
+  const surface *s;
+  const handle_cycles *cycles;
+  const bit_matrix *linking;
+  uint8_t *sum;     /* [4 quad_count] edges of a sum of cycles, under their lower half-edge */
+  uint8_t *in_path; /* the same of one path */
+  int32_t *place;   /* [point_count] of points on the path that is being walked; -1 of others */
+  int32_t *half_edge_of_point; /* [point_count] one that starts there */
+  int32_t *walk;               /* [2 quad_count] half-edges of that path */
+} search;
+
+static void search_free(hexcon_context *context, search *w) {
+  context_free(context, w->sum);
+  context_free(context, w->in_path);
+  context_free(context, w->place);
+  context_free(context, w->half_edge_of_point);
+  context_free(context, w->walk);
+}
+
+static hexcon_status search_new(hexcon_context *context, search *w) {
+  const surface *s = w->s;
+  w->sum = context_allocate_zeroed(context, 4 * s->quad_count, sizeof *w->sum);
+  w->in_path = context_allocate_zeroed(context, 4 * s->quad_count, sizeof *w->in_path);
+  w->place = context_allocate(context, s->point_count, sizeof *w->place);
+  w->half_edge_of_point = context_allocate(context, s->point_count, sizeof *w->half_edge_of_point);
+  w->walk = context_allocate(context, 2 * s->quad_count, sizeof *w->walk);
+  if (!w->sum || !w->in_path || !w->place || !w->half_edge_of_point || !w->walk)
+    return HEXCON_OUT_OF_MEMORY;
+  memset(w->place, -1, s->point_count * sizeof *w->place);
+  for (size_t h = 0; h < 4 * s->quad_count; h++)
+    w->half_edge_of_point[s->quads[h]] = (int32_t)h;
+  return HEXCON_OK;
+}
+
+static int32_t edge_of(const surface *s, int32_t half_edge) {
+  return half_edge < s->twins[half_edge] ? half_edge : s->twins[half_edge];
+}
+
+/* ---------------------------------------------------------------------------------- which bound */
+
+static bool is_odd(const handle_cycles *c, size_t cycle) {
+  return (c->first_along[cycle + 1] - c->first_along[cycle]) % 2;
+}
+
+/**
+ * The linking matrix takes to zero what bounds inside, and is a projection: what it takes away from
+ * a cycle bounds inside, and all that does is a sum of such rests. @return whether that of a cycle
+ * is odd
+ */
+static bool rest_is_odd(const search *w, size_t cycle) {
+  bool odd = is_odd(w->cycles, cycle);
+  for (size_t j = 0; j < w->cycles->count; j++)
+    odd ^= bit_matrix_get(w->linking, cycle, j) && is_odd(w->cycles, j);
+  return odd;
+}
+
+static void add_cycle(search *w, size_t cycle) {
+  for (size_t k = w->cycles->first_along[cycle]; k < w->cycles->first_along[cycle + 1]; k++)
+    w->sum[edge_of(w->s, w->cycles->along[k])] ^= 1;
+}
+
+/** The edges of what bounds inside of a cycle; adding it again takes them away. */
+static void add_rest(search *w, size_t cycle) {
+  add_cycle(w, cycle);
+  for (size_t j = 0; j < w->cycles->count; j++)
+    if (bit_matrix_get(w->linking, cycle, j))
+      add_cycle(w, j);
+}
+
+/** Whether a path bounds inside: the rings that it crosses oddly tell of which cycles it is the
+ * sum. */
+static hexcon_status check_bounds(hexcon_context *context, search *w, const int32_t *path,
+                                  size_t length, bool *bounds) {
+  const handle_cycles *c = w->cycles;
+  uint64_t *links = context_allocate_zeroed(context, w->linking->words, sizeof *links);
+  if (!links)
+    return HEXCON_OUT_OF_MEMORY;
+  for (size_t k = 0; k < length; k++)
+    w->in_path[edge_of(w->s, path[k])] = 1;
+  for (size_t i = 0; i < c->count; i++) {
+    bool odd = false;
+    for (size_t k = c->first_across[i]; k < c->first_across[i + 1]; k++)
+      odd ^= w->in_path[edge_of(w->s, c->across[k])];
+    for (size_t word = 0; odd && word < w->linking->words; word++)
+      links[word] ^= w->linking->rows[i * w->linking->words + word];
+  }
+  *bounds = true;
+  for (size_t word = 0; word < w->linking->words; word++)
+    *bounds = *bounds && links[word] == 0;
+  for (size_t k = 0; k < length; k++)
+    w->in_path[edge_of(w->s, path[k])] = 0;
+  context_free(context, links);
+  return HEXCON_OK;
+}
+
+/* --------------------------------------------------------------------------------------- paths */
+
+/** A half-edge that leaves the point along an edge of the sum; -1 if there is none left. */
+static int32_t way_on(const search *w, int32_t point) {
+  int32_t start = w->half_edge_of_point[point], h = start;
+  do {
+    if (w->sum[edge_of(w->s, h)])
+      return h;
+    h = w->s->twins[half_edge_turn(h, -1)];
+  } while (h != start);
+  return -1;
+}
+
+static hexcon_status keep_points(hexcon_context *context, const search *w, const int32_t *path,
+                                 size_t length, odd_cycles *out) {
+  int32_t *grown =
+      context_grow(context, out->points, out->point_count + length, sizeof *out->points);
+  if (!grown)
+    return HEXCON_OUT_OF_MEMORY;
+  out->points = grown;
+  for (size_t k = 0; k < length; k++)
+    out->points[out->point_count++] = half_edge_start(w->s, path[k]);
+  out->path_count++;
+  return HEXCON_OK;
+}
+
+/** A simple closed path of a sum was walked: keep it with the others, or alone, if it is one of its
+ * own and the shortest. */
+static hexcon_status take_path(hexcon_context *context, search *w, const int32_t *path,
+                               size_t length, odd_cycles *all, odd_cycles *best) {
+  bool bounds = false;
+  hexcon_status status = keep_points(context, w, path, length, all);
+  if (status || length % 2 == 0 || (best->points && best->point_count <= length))
+    return status;
+  status = check_bounds(context, w, path, length, &bounds);
+  if (status || !bounds)
+    return status;
+  best->path_count = best->point_count = 0;
+  return keep_points(context, w, path, length, best);
+}
+
+/** Take the sum apart into simple closed paths, from a point on: whenever the walk comes back to
+ * where it was, it has closed one. */
+static hexcon_status walk_from(hexcon_context *context, search *w, int32_t point, odd_cycles *all,
+                               odd_cycles *best) {
+  size_t length = 0;
+  hexcon_status status = HEXCON_OK;
+  for (int32_t h = way_on(w, point); !status && h >= 0; h = way_on(w, point)) {
+    w->sum[edge_of(w->s, h)] = 0;
+    w->place[point] = (int32_t)length;
+    w->walk[length++] = h;
+    point = half_edge_end(w->s, h);
+    if (w->place[point] < 0)
+      continue;
+    const size_t first = (size_t)w->place[point];
+    status = take_path(context, w, w->walk + first, length - first, all, best);
+    for (; length > first; length--)
+      w->place[half_edge_start(w->s, w->walk[length - 1])] = -1;
+  }
+  return status;
+}
+
+/** Look at one odd sum for a short path; keep the whole sum if there is nothing yet. */
+static hexcon_status take_apart(hexcon_context *context, search *w, size_t cycle, odd_cycles *whole,
+                                odd_cycles *best) {
+  odd_cycles all = {0};
+  hexcon_status status = HEXCON_OK;
+  add_rest(w, cycle);
+  for (size_t j = 0; !status && j < w->cycles->count; j++)
+    if (j == cycle || bit_matrix_get(w->linking, cycle, j))
+      for (size_t k = w->cycles->first_along[j]; !status && k < w->cycles->first_along[j + 1]; k++)
+        status = walk_from(context, w, half_edge_start(w->s, w->cycles->along[k]), &all, best);
+  if (!status && !whole->points) {
+    *whole = all;
+    all = (odd_cycles){0};
+  }
+  odd_cycles_free(context, &all);
+  return status;
+}
+
+static hexcon_status find_paths(hexcon_context *context, search *w, odd_cycles *out) {
+  odd_cycles whole = {0}, best = {0};
+  hexcon_status status = HEXCON_OK;
+  for (size_t i = 0, looked = 0; !status && i < w->cycles->count && looked < MOST_SHOWN; i++)
+    if (rest_is_odd(w, i)) {
+      status = take_apart(context, w, i, &whole, &best);
+      looked++;
+    }
+  *out = best.points ? best : whole;
+  odd_cycles_free(context, best.points ? &whole : &best);
+  out->fillable = out->points ? HEXCON_FILLABLE_NO : HEXCON_FILLABLE_YES;
+  return status;
+}
+
+static hexcon_status judge(hexcon_context *context, const surface *s, const handle_cycles *cycles,
+                           const bit_matrix *linking, odd_cycles *out) {
+  search w = {.s = s, .cycles = cycles, .linking = linking};
+  hexcon_status status = search_new(context, &w);
+  if (!status)
+    status = find_paths(context, &w, out);
+  search_free(context, &w);
+  return status;
+}
+
+static hexcon_status find_by_linking(hexcon_context *context, const surface *s, odd_cycles *out) {
+  handle_cycles cycles;
+  bit_matrix linking = {0};
+  bool known = false;
+  hexcon_status status = handle_cycles_find(context, s, &cycles, &known);
+  if (!status && known)
+    status = linking_numbers_find(context, s, &cycles, &linking, &known);
+  if (!status && known)
+    status = judge(context, s, &cycles, &linking, out);
+  bit_matrix_free(context, &linking);
+  handle_cycles_free(context, &cycles);
+  return status;
+}
+
+hexcon_status odd_cycles_find(hexcon_context *context, const surface *s, odd_cycles *out) {
+  *out = (odd_cycles){0};
+  uint8_t *colours = context_allocate(context, s->point_count, sizeof *colours);
+  if (!colours)
+    return HEXCON_OUT_OF_MEMORY;
+  hexcon_status status = surface_colour(context, s, colours);
+  context_free(context, colours);
+  if (status == HEXCON_OK)
+    out->fillable = HEXCON_FILLABLE_YES;
+  if (status != HEXCON_NOT_BIPARTITE)
+    return status;
+  context_clear(context);
+  return find_by_linking(context, s, out);
+}
+
+void odd_cycles_free(hexcon_context *context, odd_cycles *found) {
+  context_free(context, found->points);
+  *found = (odd_cycles){0};
+}
