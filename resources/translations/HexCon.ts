@@ -501,6 +501,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Surface: which closed paths bound inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Hexes: pairing quads</source>
         <translation type="unfinished"></translation>
     </message>
@@ -545,11 +549,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{quads}, an even number: hexes can fill it</source>
+        <source>{quads}, an odd number: no hex mesh has such a boundary</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{quads}, an odd number: no hex mesh has such a boundary</source>
+        <source>{quads}, an even number, but a closed path of edges that bounds a surface inside is odd: no hex mesh has such a boundary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{quads}, an even number: hexes can fill it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -562,6 +570,10 @@
     </message>
     <message>
         <source>Holes through it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cavities</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -682,6 +694,10 @@
     </message>
     <message>
         <source>quads {ids}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the closed path, of {count} edges</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "construct/coarse_front.h"
-#include "construct/coarse_surface.h"
+#include "construct/coarse_ways.h"
 #include "support.h"
 
 /* ---------------------------------------------------------------------------------- surfaces */
@@ -105,17 +105,17 @@ static void reading(test_mesh m, size_t triangles, size_t quads) {
   hexcon_context *context = hexcon_context_new();
   surface s;
   build(context, &m, &s);
-  int ways[COARSE_WAYS];
-  size_t count;
-  assert_int_equal(coarse_surface_find_ways(context, &s, ways, &count), HEXCON_OK);
-  assert_true(count > 0);
+  coarse_ways ways;
+  assert_int_equal(coarse_ways_find(context, &s, &ways), HEXCON_OK);
+  assert_true(ways.count > 0);
   coarse_surface c;
-  assert_int_equal(coarse_surface_read(context, &s, ways[0], &c, NULL), HEXCON_OK);
+  assert_int_equal(coarse_surface_read(context, &s, ways.of_shells, &c, NULL), HEXCON_OK);
   assert_int_equal(c.triangle_count, triangles);
   assert_int_equal(c.quad_count, quads);
   assert_covers(&s, &c);
   coarse_surface_free(context, &c);
   surface_free(context, &s);
+  coarse_ways_free(context, &ways);
   test_mesh_free(&m);
   hexcon_context_free(context);
 }
@@ -139,13 +139,12 @@ static void ways_are_ranked(void **state) {
   test_mesh m = make_box(4, 4, 4);
   surface s;
   build(context, &m, &s);
-  int ways[COARSE_WAYS];
-  size_t count;
-  assert_int_equal(coarse_surface_find_ways(context, &s, ways, &count), HEXCON_OK);
-  assert_int_equal(count, 2);
+  coarse_ways ways;
+  assert_int_equal(coarse_ways_find(context, &s, &ways), HEXCON_OK);
+  assert_int_equal(ways.count, 2);
   coarse_surface c[2];
   for (size_t i = 0; i < 2; i++)
-    assert_int_equal(coarse_surface_read(context, &s, ways[i], &c[i], NULL), HEXCON_OK);
+    assert_int_equal(coarse_surface_read(context, &s, ways.of_shells + i, &c[i], NULL), HEXCON_OK);
   assert_close(c[0].departure, 0, 1e-12); /* the straight one first */
   assert_int_equal(c[0].quad_count, 24);
   assert_int_equal(c[1].triangle_count, 8);
@@ -153,6 +152,7 @@ static void ways_are_ranked(void **state) {
   for (size_t i = 0; i < 2; i++)
     coarse_surface_free(context, &c[i]);
   surface_free(context, &s);
+  coarse_ways_free(context, &ways);
   test_mesh_free(&m);
   hexcon_context_free(context);
 }
@@ -161,16 +161,16 @@ static void refusal(test_mesh m) {
   hexcon_context *context = hexcon_context_new();
   surface s;
   build(context, &m, &s);
-  int ways[COARSE_WAYS];
-  size_t count;
-  assert_int_equal(coarse_surface_find_ways(context, &s, ways, &count), HEXCON_NOT_DICED);
-  assert_int_equal(count, 0);
+  coarse_ways ways;
+  assert_int_equal(coarse_ways_find(context, &s, &ways), HEXCON_NOT_DICED);
+  assert_int_equal(ways.count, 0);
   assert_message(context);
   const int32_t *elements;
   assert_true(hexcon_context_elements(context, &elements) > 0);
   for (size_t i = 0; i < hexcon_context_elements(context, &elements); i++)
     assert_in_range(elements[i], 0, m.quad_count - 1);
   surface_free(context, &s);
+  coarse_ways_free(context, &ways);
   test_mesh_free(&m);
   hexcon_context_free(context);
 }
@@ -195,12 +195,11 @@ static void fronts_are_closed(void **state) {
   test_mesh m = make_schneiders_pyramid();
   surface s;
   build(context, &m, &s);
-  int ways[COARSE_WAYS];
-  size_t count;
+  coarse_ways ways;
   coarse_surface c;
   coarse_front front;
-  assert_int_equal(coarse_surface_find_ways(context, &s, ways, &count), HEXCON_OK);
-  assert_int_equal(coarse_surface_read(context, &s, ways[0], &c, NULL), HEXCON_OK);
+  assert_int_equal(coarse_ways_find(context, &s, &ways), HEXCON_OK);
+  assert_int_equal(coarse_surface_read(context, &s, ways.of_shells, &c, NULL), HEXCON_OK);
   assert_int_equal(coarse_front_of_pyramids(context, &c, s.point_count, &front), HEXCON_OK);
   assert_int_equal(front.triangle_count, 4 + 4 * 1);
   assert_int_equal(front.point_count, 5 + 1);
@@ -218,6 +217,7 @@ static void fronts_are_closed(void **state) {
   coarse_front_free(context, &front);
   coarse_surface_free(context, &c);
   surface_free(context, &s);
+  coarse_ways_free(context, &ways);
   test_mesh_free(&m);
   hexcon_context_free(context);
 }

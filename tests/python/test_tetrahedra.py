@@ -104,10 +104,22 @@ def test_place_and_scale_do_not_matter():
         assert positive(made, tetrahedra).all()
 
 
-def test_cavity_is_refused():
-    """Two shells are no one surface to gmsh; what it makes of them is not passed on."""
+def test_cavities():
+    """Two in one block, and a tetrahedron's: all triangles are kept, and what is filled is what lies between."""
     points, triangles = block(3, 3, 3, size=(3, 3, 3))
-    both = np.vstack([points, points / 3 + 1]), np.vstack([triangles, triangles[:, ::-1] + len(points)])
+    inner, inner_triangles = SURFACES["tetrahedron"]
+    both = (np.vstack([inner * 0.7 + 1.7, points, points / 6 + 0.6]),
+            np.vstack([inner_triangles[:, ::-1], triangles + len(inner), triangles[:, ::-1] + len(inner) + len(points)]))
+    made, tetrahedra = tetrahedralise(*both)
+    assert fault_of(made, tetrahedra.astype(np.int64), *both) is None
+    volume = np.linalg.det(made[tetrahedra[:, 1:]] - made[tetrahedra[:, :1]]).sum() / 6
+    assert volume == pytest.approx(27 - 0.125 - 0.7 ** 3 / 6)
+
+
+def test_bodies_side_by_side_are_refused():
+    """One volume is not to have two outer shells; what gmsh makes of them is not passed on."""
+    points, triangles = block(3, 3, 3, size=(3, 3, 3))
+    both = np.vstack([points, points / 3 + 7]), np.vstack([triangles, triangles[:, ::-1] + len(points)])
     fault = _fault(both)
     assert fault.code is FaultCode.TOOL_FAILED and "could not fill" in str(fault)
 

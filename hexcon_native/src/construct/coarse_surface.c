@@ -48,13 +48,11 @@ static int8_t corner_across(const reading *r, int32_t half_edge) {
   return (int8_t)((twin + turns[step]) & 3);
 }
 
-/** Breadth-first from quad 0; then every edge is looked at from both sides. */
-static void spread_classes(reading *r, int way) {
+/** Breadth-first over the shell of a quad whose class is known. */
+static void spread_class(reading *r, int32_t seed) {
   const surface *s = r->s;
   size_t head = 0, tail = 0;
-  memset(r->corners, -1, s->quad_count * sizeof *r->corners);
-  r->corners[0] = (int8_t)way;
-  r->queue[tail++] = 0;
+  r->queue[tail++] = seed;
   while (head < tail) {
     int32_t quad = r->queue[head++];
     for (int32_t h = 4 * quad; h < 4 * quad + 4; h++) {
@@ -65,6 +63,17 @@ static void spread_classes(reading *r, int way) {
       r->queue[tail++] = other;
     }
   }
+}
+
+/** From the first quad of each shell; then every edge is looked at from both sides. */
+static void spread_classes(reading *r, const uint8_t *ways) {
+  const surface *s = r->s;
+  memset(r->corners, -1, s->quad_count * sizeof *r->corners);
+  for (int32_t q = 0; q < (int32_t)s->quad_count; q++)
+    if (r->corners[q] < 0) {
+      r->corners[q] = (int8_t)ways[s->component_of_quad[q]];
+      spread_class(r, q);
+    }
   for (int32_t h = 0; h < (int32_t)(4 * s->quad_count); h++)
     if (h < s->twins[h] && r->corners[half_edge_quad(s->twins[h])] != corner_across(r, h))
       blame(r, half_edge_quad(h));
@@ -237,8 +246,8 @@ static hexcon_status check_faults(const reading *r) {
                    r->fault_count);
 }
 
-static hexcon_status read_surface(reading *r, int way, coarse_surface *out) {
-  spread_classes(r, way);
+static hexcon_status read_surface(reading *r, const uint8_t *ways, coarse_surface *out) {
+  spread_classes(r, ways);
   hexcon_status status = check_faults(r);
   if (!status) {
     check_degrees(r);
@@ -257,13 +266,13 @@ static hexcon_status read_surface(reading *r, int way, coarse_surface *out) {
   return status;
 }
 
-hexcon_status coarse_surface_read(hexcon_context *context, const surface *s, int way,
+hexcon_status coarse_surface_read(hexcon_context *context, const surface *s, const uint8_t *ways,
                                   coarse_surface *out, size_t *fault_count) {
   memset(out, 0, sizeof *out);
   reading r;
   hexcon_status status = reading_new(context, s, &r);
   if (!status)
-    status = read_surface(&r, way, out);
+    status = read_surface(&r, ways, out);
   if (fault_count)
     *fault_count = r.fault_count;
   reading_free(context, &r);
@@ -276,53 +285,4 @@ void coarse_surface_free(hexcon_context *context, coarse_surface *c) {
   context_free(context, c->middles);
   context_free(context, c->centers);
   memset(c, 0, sizeof *c);
-}
-
-/** What one way is worth. */
-typedef struct way_rank {
-  int way;
-  bool has_quads;
-  double departure;
-} way_rank;
-
-static bool comes_before(const way_rank *a, const way_rank *b) {
-  return a->has_quads != b->has_quads ? b->has_quads : a->departure < b->departure;
-}
-
-static void insert(way_rank *ranks, size_t count, way_rank fresh) {
-  size_t place = count;
-  for (; place > 0 && comes_before(&fresh, &ranks[place - 1]); place--)
-    ranks[place] = ranks[place - 1];
-  ranks[place] = fresh;
-}
-
-hexcon_status coarse_surface_find_ways(hexcon_context *context, const surface *s,
-                                       int ways[COARSE_WAYS], size_t *count) {
-  way_rank ranks[COARSE_WAYS] = {{0}};
-  size_t fewest = SIZE_MAX;
-  int nearest = 0;
-  *count = 0;
-  for (int way = 0; way < COARSE_WAYS; way++) {
-    coarse_surface c;
-    size_t faults = 0;
-    hexcon_status status = coarse_surface_read(context, s, way, &c, &faults);
-    way_rank rank = {way, c.quad_count > 0, c.departure};
-    coarse_surface_free(context, &c);
-    if (status && status != HEXCON_NOT_DICED)
-      return status;
-    if (!status)
-      insert(ranks, (*count)++, rank);
-    else if (faults < fewest)
-      nearest = way;
-    fewest = faults < fewest ? faults : fewest;
-    context_clear(context);
-  }
-  for (size_t i = 0; i < *count; i++)
-    ways[i] = ranks[i].way;
-  coarse_surface none;
-  if (*count > 0)
-    return HEXCON_OK;
-  hexcon_status status = coarse_surface_read(context, s, nearest, &none, NULL);
-  coarse_surface_free(context, &none);
-  return status;
 }

@@ -5,7 +5,7 @@
  *
  * So every quad has a coarse corner, the middle of an edge, the centre of a face, and another
  * middle, in this order either way round. Which of its four points is the corner decides the same
- * for its neighbours, and so for the whole surface: there are four ways at most to read one.
+ * for its neighbours, and so for the whole shell: there are four ways at most to read one.
  */
 #ifndef HEXCON_CONSTRUCT_COARSE_SURFACE_H
 #define HEXCON_CONSTRUCT_COARSE_SURFACE_H
@@ -27,26 +27,17 @@ typedef struct coarse_surface {
 } coarse_surface;
 
 /**
- * Read a surface of one component as a subdivision.
- * @param way         0 .. 3: corner `way` of quad 0 is a coarse corner
+ * Read a surface as a subdivision.
+ * @param ways        [component_count] 0 .. 3: which corner of the first quad of each shell is a
+ *                    coarse one
  * @param out         free with coarse_surface_free, also after an error
  * @param fault_count receives the number of points and edges that do not fit; may be NULL
  * Errors: NOT_DICED with the quads at which the classes of points contradict each other, at a
  * middle or centre of the wrong number of edges, or at one of two coarse edges between the same
  * points; OUT_OF_MEMORY. Linear (expected: hashing).
  */
-hexcon_status coarse_surface_read(hexcon_context *context, const surface *s, int way,
+hexcon_status coarse_surface_read(hexcon_context *context, const surface *s, const uint8_t *ways,
                                   coarse_surface *out, size_t *fault_count);
 void coarse_surface_free(hexcon_context *context, coarse_surface *c);
-
-/**
- * All ways to read a surface, the best first: those of triangles only, which take the fewest hexes,
- * then those whose middles and centres lie straightest.
- * @param ways   receives `count` of them
- * Errors: as coarse_surface_read where there is none, with the faults of the way that has the
- * fewest. Linear, four times.
- */
-hexcon_status coarse_surface_find_ways(hexcon_context *context, const surface *s,
-                                       int ways[COARSE_WAYS], size_t *count);
 
 #endif

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "construct/coarse_ways.h"
 #include "diced_filling.h"
 #include "surface/corner_angles.h"
 #include "surface/star_center.h"
@@ -97,9 +98,9 @@ static hexcon_status prepare_geodes(hexcon_context *context, diced_problem *p) {
                                          &p->fronts[DICED_GEODES]);
 }
 
-static hexcon_status read_way(hexcon_context *context, int way, diced_problem *p) {
+static hexcon_status read_way(hexcon_context *context, const uint8_t *ways, diced_problem *p) {
   forget_reading(context, p);
-  hexcon_status status = coarse_surface_read(context, p->s, way, &p->coarse, NULL);
+  hexcon_status status = coarse_surface_read(context, p->s, ways, &p->coarse, NULL);
   if (!status)
     status = coarse_front_of_pyramids(context, &p->coarse, p->s->point_count,
                                       &p->fronts[DICED_PYRAMIDS]);
@@ -255,11 +256,11 @@ static hexcon_status check_positive(hexcon_context *context, const diced_problem
 }
 
 /** The best of all readings. */
-static hexcon_status fill(hexcon_context *context, diced_problem *p, const int *ways,
-                          size_t way_count, hexcon_mesh *mesh, diced_filling *best) {
+static hexcon_status fill(hexcon_context *context, diced_problem *p, const coarse_ways *ways,
+                          hexcon_mesh *mesh, diced_filling *best) {
   hexcon_status status = HEXCON_OK;
-  for (size_t w = 0; !status && w < way_count && (w == 0 || !is_good(p, best)); w++) {
-    status = read_way(context, ways[w], p);
+  for (size_t w = 0; !status && w < ways->count && (w == 0 || !is_good(p, best)); w++) {
+    status = read_way(context, ways->of_shells + w * p->s->component_count, p);
     if (!status)
       status = try_reading(context, p, mesh, best);
   }
@@ -274,17 +275,16 @@ hexcon_status mesh_diced(hexcon_context *context, const surface *s,
                          const hexcon_mesh_options *options, hexcon_mesh *mesh) {
   diced_problem p = {.s = s, .options = options};
   diced_filling best = {.closure = DICED_ONE};
-  int ways[COARSE_WAYS];
-  size_t way_count = 0;
+  coarse_ways ways;
   double start = mesh_clock();
-  hexcon_status status = coarse_surface_find_ways(context, s, ways, &way_count);
+  hexcon_status status = coarse_ways_find(context, s, &ways);
   if (!status)
     status = surface_check_fillable(context, s, false);
   if (!status)
     status = find_center(context, &p);
   find_bound(&p);
   if (!status)
-    status = fill(context, &p, ways, way_count, mesh, &best);
+    status = fill(context, &p, &ways, mesh, &best);
   if (status == HEXCON_OUT_OF_TIME && best.mesh.points && best.mesh.inverted == 0) {
     mesh_log(mesh, "the time budget ran out: the best mesh until then");
     status = HEXCON_OK;
@@ -296,5 +296,6 @@ hexcon_status mesh_diced(hexcon_context *context, const surface *s,
   else
     hand_over(&p, &best, mesh);
   forget_reading(context, &p);
+  coarse_ways_free(context, &ways);
   return status;
 }

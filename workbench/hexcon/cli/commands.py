@@ -202,6 +202,10 @@ def _match_surface(points, surface):
     return ids[surface.quads]
 
 
+FILLABLE = {True: "exists, as far as topology goes", None: "not known whether one exists",
+            False: "none exists: an odd number of quads, or an odd closed path of edges that bounds inside"}
+
+
 def info(options):
     """hexcon info SURFACE"""
     surface = _surface_input(options.input)
@@ -213,10 +217,11 @@ def info(options):
     facts["notes"] = surface.notes
     return facts, [
         f"surface       {report.n} quads ({'even' if report.even else 'ODD'}), {report.points} "
-        f"points, {report.components} component(s), genus {report.genus}",
+        f"points, {report.components} component(s), genus {report.genus}, {report.cavities} cavities",
         f"loops         {len(report.loops)}, {crossing} of them cross themselves "
         f"({int(report.loops.self_crossings.sum())} crossings)",
         f"colouring     {'black and white' if report.bipartite else 'impossible: an odd cycle'}",
+        f"hex mesh      {FILLABLE[report.fillable]}",
         f"orientation   {'outward' if report.oriented else 'inward (meshing turns it)'}",
         f"shape         {'convex' if report.convex else 'not convex'}, star centre {center}, "
         f"volume {report.volume:.6g}",

@@ -7,7 +7,7 @@ from pivy import coin
 FILL, EDGE, FAULT = (0.95, 0.76, 0.31), (0.11, 0.17, 0.23), (0.9, 0.1, 0.1)
 FAULT_EDGE = (0.4, 0.0, 0.0)
 NODE = "HexConOverlay"
-LINE_WIDTH = 2
+LINE_WIDTH, PATH_WIDTH = 2, 5
 
 
 class Overlay:
@@ -42,6 +42,15 @@ class Overlay:
         view.getSceneGraph().addChild(node)
         self._view, self._node = view, node
 
+    def show_path(self, points, edges):
+        """Draw edges (k,2) between points (V,3) in red over everything, instead of what is drawn."""
+        self.hide()
+        view = _view_of(self._document_name)
+        if view is None or not len(edges):
+            return
+        self._view, self._node = view, _path(points, edges)
+        view.getSceneGraph().addChild(self._node)
+
     def hide(self):
         """Draw nothing. The view may be gone by now, and the node with it."""
         if self._node is not None:
@@ -53,6 +62,20 @@ class Overlay:
 
     def visible(self):
         return self._node is not None
+
+
+def _path(points, edges):
+    node, style, places, lines = coin.SoAnnotation(), coin.SoPickStyle(), coin.SoCoordinate3(), coin.SoIndexedLineSet()
+    width = coin.SoDrawStyle()
+    node.setName(NODE)
+    style.style = coin.SoPickStyle.UNPICKABLE
+    width.lineWidth = PATH_WIDTH
+    places.point.setValues(0, len(points), np.asarray(points, float).tolist())
+    indices = np.hstack([edges, np.full((len(edges), 1), -1)]).ravel().tolist()
+    lines.coordIndex.setValues(0, len(indices), indices)
+    for child in (style, places, _coloured(FAULT, width, lines)):
+        node.addChild(child)
+    return node
 
 
 def _view_of(document_name):

@@ -9,6 +9,8 @@ from PySide import QtCore, QtGui
 
 from hexcon_native import ErrorCode
 
+from hexcon.quads.surface import edges_along
+
 from . import words
 from .overlay import Overlay
 from .work import Work, in_words
@@ -20,6 +22,9 @@ STEPS = 1000  # of the progress bar
 ABOUT_QUADS = {ErrorCode[name] for name in (
     "UNFILLABLE_QUAD", "NOT_SWEPT", "NO_SHEETS", "NOT_DICED", "SELF_CROSSING", "BAD_PAIRING",
     "NO_SMALL_FILLING") if name in ErrorCode.__members__}
+
+# Faults whose elements are the points of a closed path of edges.
+ABOUT_PATHS = {ErrorCode[name] for name in ("NO_HEX_MESH", "NOT_BIPARTITE", "NO_SIDES") if name in ErrorCode.__members__}
 
 # Panels whose work has not ended: a closed one lives until its thread is gone.
 _working = set()
@@ -169,11 +174,14 @@ class Panel:
                             + words.as_html(self._show_quads(fault)))
 
     def _show_quads(self, fault):
-        """Draw the quads at fault into the 3D view; rows of words that list them."""
+        """Draw the quads at fault, or the path, into the 3D view; rows of words that tell of them."""
         surface = getattr(fault, "surface", None)
-        if surface is None or fault.code not in ABOUT_QUADS or not fault.elements:
+        if surface is None or fault.code not in ABOUT_QUADS | ABOUT_PATHS or not fault.elements:
             return []
         FreeCADGui.Selection.clearSelection()  # its green would hide the red
+        if fault.code in ABOUT_PATHS:
+            self.overlay.show_path(surface.points, edges_along(surface.quads, fault.elements))
+            return [(translate("HexCon", "Marked in red"), words.of_path(len(fault.elements)))]
         self.overlay.show(surface.points, surface.quads, fault.elements)
         return [(translate("HexCon", "Marked in red"), words.of_quads(fault.elements))]
 

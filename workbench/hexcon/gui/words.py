@@ -19,6 +19,7 @@ STAGES = {
     "mesh": QT_TRANSLATE_NOOP("HexCon", "Surface: quads by gmsh"),
     "check": QT_TRANSLATE_NOOP("HexCon", "Surface: distance from the solid"),
     "sweep recognition": QT_TRANSLATE_NOOP("HexCon", "Hexes: looking for sweeps"),
+    "linking numbers": QT_TRANSLATE_NOOP("HexCon", "Surface: which closed paths bound inside"),
     "pairing": QT_TRANSLATE_NOOP("HexCon", "Hexes: pairing quads"),
     "tetrahedra inside": QT_TRANSLATE_NOOP("HexCon", "Hexes: tetrahedra inside"),
     "measuring": QT_TRANSLATE_NOOP("HexCon", "Hexes: measuring"),
@@ -57,8 +58,13 @@ def as_html(rows):
 
 def of_surface(surface, facts):
     """Rows for a quads.QuadSurface and objects.quad_surface.facts_of it."""
-    even = translate("HexCon", "{quads}, an even number: hexes can fill it") if facts["Even"] else \
-        translate("HexCon", "{quads}, an odd number: no hex mesh has such a boundary")
+    if not facts["Even"]:
+        even = translate("HexCon", "{quads}, an odd number: no hex mesh has such a boundary")
+    elif facts["Fillable"] == "no":
+        even = translate("HexCon", "{quads}, an even number, but a closed path of edges that bounds a surface inside is "
+                         "odd: no hex mesh has such a boundary")
+    else:
+        even = translate("HexCon", "{quads}, an even number: hexes can fill it")
     rows = [(translate("HexCon", "Quads"), even.format(quads=count(facts["Quads"]))),
             (translate("HexCon", "Method"), surface.method),
             (translate("HexCon", "Dual loops"), translate(
@@ -66,6 +72,8 @@ def of_surface(surface, facts):
                     loops=count(facts["Loops"]), crossing=count(facts["SelfCrossings"])))]
     if facts["Genus"] > 0:
         rows.append((translate("HexCon", "Holes through it"), count(facts["Genus"])))
+    if facts["Cavities"] > 0:
+        rows.append((translate("HexCon", "Cavities"), count(facts["Cavities"])))
     return rows + [(translate("HexCon", "Note"), note) for note in surface.notes]
 
 
@@ -180,6 +188,11 @@ def of_quads(rows):
     if len(rows) > MOST_LISTED:
         listed += translate("HexCon", " and {count} more").format(count=len(rows) - MOST_LISTED)
     return translate("HexCon", "quads {ids}").format(ids=listed)
+
+
+def of_path(edges):
+    """A closed path of edges that is at fault."""
+    return translate("HexCon", "the closed path, of {count} edges").format(count=count(edges))
 
 
 def of_certificate(report):

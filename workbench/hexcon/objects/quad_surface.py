@@ -27,6 +27,9 @@ PROPERTIES = (
     ("App::PropertyInteger", "Loops", "Result", "Number of dual loops", 0, True),
     ("App::PropertyInteger", "SelfCrossings", "Result", "Number of loops that cross themselves", 0, True),
     ("App::PropertyInteger", "Genus", "Result", "Number of holes through the body; -1: unknown", 0, True),
+    ("App::PropertyInteger", "Cavities", "Result", "Number of cavities in the body", 0, True),
+    ("App::PropertyString", "Fillable", "Result", "Whether a hex mesh with these quads exists: yes, no or unknown", "",
+     True),
     ("App::PropertyString", "MethodUsed", "Result", "The method that made the quads", "", True),
     ("App::PropertyStringList", "Notes", "Result", "What is to be known of the quads", None, True),
 )
@@ -80,7 +83,8 @@ def facts_of(surface):
     report = hexcon_native.check_surface(surface.points, surface.quads)
     return {"Quads": report.n, "Even": bool(report.even), "Loops": len(report.loops.lengths),
             "SelfCrossings": int(np.count_nonzero(report.loops.self_crossings)),
-            "Genus": -1 if report.genus is None else int(report.genus)}
+            "Genus": -1 if report.genus is None else int(report.genus), "Cavities": int(report.cavities),
+            "Fillable": {True: "yes", False: "no", None: "unknown"}[report.fillable]}
 
 
 def to_quad_femmesh(surface):

@@ -29,6 +29,16 @@ def edges_of(quads):
     return np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2)
 
 
+def edges_along(quads, path):
+    """(k,2) those steps of a closed path of points, the last to the first included, that are edges of the quads."""
+    path = np.asarray(path, np.int64).reshape(-1)
+    steps = np.column_stack([path, np.roll(path, -1)])
+    known = np.unique(np.sort(edges_of(quads), axis=1), axis=0)
+    size = int(max(known.max(), path.max(initial=0))) + 1
+    keys = np.sort(steps, axis=1) @ np.array([size, 1])
+    return steps[np.isin(keys, known @ np.array([size, 1]))]
+
+
 def edge_partners(quads):
     """(4n,) row of edges_of that holds the same edge of the other quad.
 
@@ -50,10 +60,12 @@ def edge_partners(quads):
 
 
 def orient(points, quads):
-    """Quads (n,4) turned consistently, each component with its normals out of its own volume.
+    """Quads (n,4) turned consistently, with their normals out of the solid: into the cavity, where a component lies
+    inside an odd number of others.
 
-    Returns (quads, number of components). Raises ToolError BAD_SHAPE if not closed or not orientable.
-    Cost: linear, in numpy passes that grow with the breadth of the surface.
+    Returns (quads, number of bodies, number of cavities). Raises ToolError BAD_SHAPE if not closed or not orientable.
+    Cost: linear, in numpy passes that grow with the breadth of the surface, and with the number of components round
+    each other.
     """
     partner = edge_partners(quads)
     edges = edges_of(quads)
@@ -68,8 +80,39 @@ def orient(points, quads):
     if wrong.any():
         raise ToolError("the surface cannot be oriented", FaultCode.BAD_SHAPE, np.unique(np.flatnonzero(wrong) // 4))
     quads = np.where(turn[:, None] == 1, quads[:, ::-1], quads)
+    cavity = _cavities(points, quads, component, components)
     volume = np.bincount(component, _volumes(points, quads), minlength=components)
-    return np.where(volume[component][:, None] < 0, quads[:, ::-1], quads), components
+    wrong = (volume < 0) != cavity
+    cavities = int(cavity.sum())
+    return np.where(wrong[component][:, None], quads[:, ::-1], quads), components - cavities, cavities
+
+
+def _cavities(points, quads, component, components):
+    """(components,) bool: those inside an odd number of others."""
+    depth = np.zeros(components, np.int64)
+    if components == 1:
+        return depth > 0
+    order = np.argsort(component, kind="stable")
+    parts = np.split(quads[order], np.cumsum(np.bincount(component))[:-1])
+    low, high = (np.array([getattr(points[part], limit)(axis=(0, 1)) for part in parts]) for limit in ("min", "max"))
+    for k, part in enumerate(parts):
+        inside = (low >= low[k]).all(axis=1) & (high <= high[k]).all(axis=1)
+        inside[k] = False
+        for other in np.flatnonzero(inside):
+            depth[other] += _winds_round(points[part], points[parts[other][0, 0]])
+    return depth % 2 == 1
+
+
+def _winds_round(corners, point):
+    """Whether a shell of quads (n,4,3) winds round a point, by solid angles (Van Oosterom and Strackee 1983)."""
+    arms = corners - point
+    arms /= np.linalg.norm(arms, axis=2)[:, :, None]
+    half = 0.0
+    for ids in ((0, 1, 2), (0, 2, 3)):
+        a, b, c = (arms[:, i] for i in ids)
+        pairs = [(a * b).sum(axis=1), (b * c).sum(axis=1), (c * a).sum(axis=1)]
+        half += np.arctan2((a * np.cross(b, c)).sum(axis=1), 1.0 + sum(pairs)).sum()
+    return abs(half) > np.pi
 
 
 def _flood(seed, partner, against, turn, component, number):
@@ -101,7 +144,7 @@ def given(points, quads, notes):
     Raises ToolError BAD_SHAPE (not closed, not orientable, a repeated vertex, NaN).
     """
     points, before = _packed(points, quads)
-    quads, _ = orient(points, before)
+    quads = orient(points, before)[0]
     turned = int((quads != before).any(axis=1).sum())
     if turned:
         notes = [*notes, "all quads faced inward and were turned" if turned == len(quads)
@@ -110,16 +153,15 @@ def given(points, quads, notes):
 
 
 def finished(points, quads, faces, method, notes):
-    """The QuadSurface of one solid: unused points dropped, closed, outward, even, in one part.
+    """The QuadSurface of one solid: unused points dropped, closed, outward, even, of one body, which may have cavities.
 
     points (V,3), quads (n,4), faces (n,). Raises ToolError BAD_SHAPE (not closed, not orientable,
-    a repeated vertex, NaN, several components) or ODD_SURFACE.
+    a repeated vertex, NaN, several bodies) or ODD_SURFACE.
     """
     points, quads = _packed(points, quads)
-    quads, components = orient(points, quads)
-    if components > 1:
-        raise ToolError(f"the surface has {components} separate parts (a cavity, or several bodies); one is needed",
-                        FaultCode.BAD_SHAPE)
+    quads, bodies, _ = orient(points, quads)
+    if bodies > 1:
+        raise ToolError(f"the surface bounds {bodies} separate bodies; one is needed", FaultCode.BAD_SHAPE)
     if len(quads) % 2:
         raise ToolError(f"the number of quads is odd ({len(quads)}): no hexahedral mesh has such a boundary",
                         FaultCode.ODD_SURFACE)

@@ -27,7 +27,7 @@ def tetrahedralise(points, triangles, *, timeout=120.0, progress=None, coarsenin
                 about 1 to 8 tetrahedra a triangle
 
     det(b - a, c - a, d - a) > 0 for each tetrahedron (a, b, c, d), in exact arithmetic. The boundary faces are the
-    given triangles (one shell: cavities are refused); a tetrahedron with two of them is a good one. Of gmsh's algorithms the
+    given triangles, of the outer shell and of cavities, whose triangles face into the cavity; a tetrahedron with two of them is a good one. Of gmsh's algorithms the
     one is taken whose worst tetrahedron, diced into four hexes, is best; its inner points are then moved to make the
     worst hexes better.
     HXT of gmsh 4.8 may differ a little from run to run.

@@ -37,13 +37,13 @@ def _mesh(solid, job, link):
     """(mesh, name of the method that made it, notes about the choice)."""
     method, size = job["method"], job["size"]
     if method in NATURAL:
-        return NATURAL[method][0](solid, size, link), method, []
+        return _natural(solid, method, size, link), method, []
     if method != "auto":
         return whole_surface(solid, size, method, link), method, []
     notes = []
-    for name, (make, refusal, word) in NATURAL.items():
+    for name, (_, refusal, word) in NATURAL.items():
         try:
-            return make(solid, size, link), name, notes
+            return _natural(solid, name, size, link), name, notes
         except WorkerFault as fault:
             if fault.code != refusal:
                 raise
@@ -54,6 +54,15 @@ def _mesh(solid, job, link):
     except WorkerFault as fault:
         notes.append(f"auto: no subdivided triangles: {fault}")
     return whole_surface(solid, size, "subdivided", link), "subdivided", notes
+
+
+def _natural(solid, method, size, link):
+    """The mesh by one of NATURAL; WorkerFault with its refusal."""
+    make, refusal, _ = NATURAL[method]
+    cavities = cad.count_shells(solid) - 1
+    if cavities:
+        raise WorkerFault(refusal, f"the solid has cavities, {cavities} in number")
+    return make(solid, size, link)
 
 
 sys.exit(session.run(sys.argv[1], _run))

@@ -29,15 +29,11 @@ def load(path):
     volumes = [tag for _, tag in gmsh.model.getEntities(3)]
     if len(volumes) != 1:
         raise WorkerFault("BAD_SHAPE", f"the shape holds {len(volumes)} solids; exactly one is needed")
-    solid = Solid(volumes[0])
-    shells = _count_shells(solid)
-    if shells > 1:
-        raise WorkerFault("BAD_SHAPE", f"the solid has {shells} separate boundary surfaces (a cavity?); one is needed")
-    return solid
+    return Solid(volumes[0])
 
 
-def _count_shells(solid):
-    """Number of groups of faces joined by edges."""
+def count_shells(solid):
+    """Number of groups of faces joined by edges: one more than the solid has cavities."""
     left, shells = set(solid.faces), 0
     while left:
         shells += 1

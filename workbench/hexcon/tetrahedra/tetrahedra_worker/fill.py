@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Fill a discrete surface by one of gmsh's algorithms."""
 import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
 import gmsh
 
@@ -8,7 +10,7 @@ TETRAHEDRON, TRIANGLE = 4, 2    # gmsh's numbers of the element types
 
 
 def fill(points, triangles, size, algorithm, threshold):
-    """(points (Q,3), tetrahedra (M,4)) as gmsh leaves them: points in the order of its tags.
+    """(points (Q,3), tetrahedra (M,4)) as gmsh leaves them: the given points, then its own.
 
     size       callable for setSizeCallback
     algorithm  Mesh.Algorithm3D
@@ -19,26 +21,44 @@ def fill(points, triangles, size, algorithm, threshold):
     for name, value in (("Algorithm3D", algorithm), ("Optimize", 1), ("OptimizeThreshold", threshold),
                         ("MeshSizeExtendFromBoundary", 0)):
         gmsh.option.setNumber("Mesh." + name, value)
-    _surface(points, triangles)
+    shells = _shells(points, triangles)
+    given = np.concatenate([np.unique(triangles[shell]) for shell in shells])    # gmsh numbers points surface by surface
+    _surfaces(points[given], np.argsort(given)[triangles], shells)
     gmsh.model.mesh.setSizeCallback(size)
     gmsh.model.mesh.generate(3)
-    return _mesh()
+    return _mesh(given)
 
 
-def _surface(points, triangles):
-    """A volume whose boundary is the given triangles; they carry the tags 1, 2, 3, ..."""
+def _surfaces(points, triangles, shells):
+    """A volume whose boundary is the given triangles: each shell a surface of its own. Points have the tags 1, 2, 3, ..."""
     model = gmsh.model
     model.add("inside")
-    model.addDiscreteEntity(2, 1)
-    model.mesh.addNodes(2, 1, np.arange(1, len(points) + 1), points.ravel())
-    model.mesh.addElementsByType(1, TRIANGLE, np.arange(1, len(triangles) + 1), triangles.ravel() + 1)
-    model.geo.addVolume([model.geo.addSurfaceLoop([1])])
+    for tag, shell in enumerate(shells, 1):
+        used = np.unique(triangles[shell])
+        model.addDiscreteEntity(2, tag)
+        model.mesh.addNodes(2, tag, used + 1, points[used].ravel())
+        model.mesh.addElementsByType(tag, TRIANGLE, shell + 1, triangles[shell].ravel() + 1)
+    model.geo.addVolume([model.geo.addSurfaceLoop([tag]) for tag in range(1, len(shells) + 1)])
     model.geo.synchronize()
 
 
-def _mesh():
+def _shells(points, triangles):
+    """Rows of the triangles of each connected shell; that of the largest volume, the outer one, first, as gmsh
+    wants it before the cavities.
+    """
+    ends = np.stack([triangles, np.roll(triangles, -1, axis=1)]).reshape(2, -1)
+    count, label = connected_components(coo_matrix((np.ones(ends.shape[1]), ends), shape=(len(points),) * 2), False)
+    shell = label[triangles[:, 0]]
+    volumes = np.bincount(shell, np.linalg.det(points[triangles] - points.mean(axis=0)), minlength=count)
+    return [np.flatnonzero(shell == k) for k in np.argsort(-volumes)]
+
+
+def _mesh(given):
     tags, points, _ = gmsh.model.mesh.getNodes()
     _, corners = gmsh.model.mesh.getElementsByType(TETRAHEDRON)
     order = np.argsort(tags)
     tetrahedra = np.searchsorted(tags, corners, sorter=order).reshape(-1, 4)
-    return points.reshape(-1, 3)[order], tetrahedra
+    rows = np.concatenate([given, np.arange(len(given), len(tags))])
+    places = np.empty((len(tags), 3))
+    places[rows] = points.reshape(-1, 3)[order]
+    return places, rows[tetrahedra]
