@@ -19,6 +19,7 @@ typedef struct search {
   int32_t *place;   /* [point_count] of points on the path that is being walked; -1 of others */
   int32_t *half_edge_of_point; /* [point_count] one that starts there */
   int32_t *walk;               /* [2 quad_count] half-edges of that path */
+  int32_t *near;               /* [12 quad_count] quads where a sum may still be tightened */
 } search;
 
 static void search_free(hexcon_context *context, search *w) {
@@ -27,6 +28,7 @@ static void search_free(hexcon_context *context, search *w) {
   context_free(context, w->place);
   context_free(context, w->half_edge_of_point);
   context_free(context, w->walk);
+  context_free(context, w->near);
 }
 
 static hexcon_status search_new(hexcon_context *context, search *w) {
@@ -36,7 +38,8 @@ static hexcon_status search_new(hexcon_context *context, search *w) {
   w->place = context_allocate(context, s->point_count, sizeof *w->place);
   w->half_edge_of_point = context_allocate(context, s->point_count, sizeof *w->half_edge_of_point);
   w->walk = context_allocate(context, 2 * s->quad_count, sizeof *w->walk);
-  if (!w->sum || !w->in_path || !w->place || !w->half_edge_of_point || !w->walk)
+  w->near = context_allocate(context, s->quad_count, 12 * sizeof *w->near);
+  if (!w->sum || !w->in_path || !w->place || !w->half_edge_of_point || !w->walk || !w->near)
     return HEXCON_OUT_OF_MEMORY;
   memset(w->place, -1, s->point_count * sizeof *w->place);
   for (size_t h = 0; h < 4 * s->quad_count; h++)
@@ -107,6 +110,51 @@ static hexcon_status check_bounds(hexcon_context *context, search *w, const int3
 
 /* --------------------------------------------------------------------------------------- paths */
 
+static int edges_at(const search *w, int32_t point) {
+  int32_t start = w->half_edge_of_point[point], h = start;
+  int count = 0;
+  do {
+    count += w->sum[edge_of(w->s, h)];
+    h = w->s->twins[half_edge_turn(h, -1)];
+  } while (h != start);
+  return count;
+}
+
+/** Whether a sum passes two sides of a quad between which it touches itself, and not the corner
+ * opposite: over the other two it does not. */
+static bool touches_itself(const search *w, int32_t quad) {
+  for (int32_t h = 4 * quad; h < 4 * quad + 4; h++) {
+    const int32_t before = half_edge_turn(h, -1);
+    if (w->sum[edge_of(w->s, h)] && w->sum[edge_of(w->s, before)])
+      return edges_at(w, half_edge_start(w->s, h)) > 2 &&
+             edges_at(w, half_edge_start(w->s, half_edge_turn(h, 2))) == 0;
+  }
+  return false;
+}
+
+/** Add quads to a sum as long as that makes it shorter, or touch itself less. A quad bounds, so the
+ * sum stays what it is; no step makes more touching points, so there are at most as many steps as
+ * edges. */
+static void tighten(search *w) {
+  const surface *s = w->s;
+  size_t count = 0;
+  for (int32_t h = 0; h < (int32_t)(4 * s->quad_count); h++)
+    if (w->sum[edge_of(s, h)])
+      w->near[count++] = half_edge_quad(h);
+  while (count > 0) {
+    const int32_t quad = w->near[--count];
+    int sides = 0;
+    for (int32_t h = 4 * quad; h < 4 * quad + 4; h++)
+      sides += w->sum[edge_of(s, h)];
+    if (sides < 3 && !(sides == 2 && touches_itself(w, quad)))
+      continue;
+    for (int32_t h = 4 * quad; h < 4 * quad + 4; h++) {
+      w->sum[edge_of(s, h)] ^= 1;
+      w->near[count++] = half_edge_quad(s->twins[h]);
+    }
+  }
+}
+
 /** A half-edge that leaves the point along an edge of the sum; -1 if there is none left. */
 static int32_t way_on(const search *w, int32_t point) {
   int32_t start = w->half_edge_of_point[point], h = start;
@@ -173,10 +221,10 @@ static hexcon_status take_apart(hexcon_context *context, search *w, size_t cycle
   odd_cycles all = {0};
   hexcon_status status = HEXCON_OK;
   add_rest(w, cycle);
-  for (size_t j = 0; !status && j < w->cycles->count; j++)
-    if (j == cycle || bit_matrix_get(w->linking, cycle, j))
-      for (size_t k = w->cycles->first_along[j]; !status && k < w->cycles->first_along[j + 1]; k++)
-        status = walk_from(context, w, half_edge_start(w->s, w->cycles->along[k]), &all, best);
+  tighten(w);
+  for (int32_t h = 0; !status && h < (int32_t)(4 * w->s->quad_count); h++)
+    if (w->sum[h])
+      status = walk_from(context, w, half_edge_start(w->s, h), &all, best);
   if (!status && !whole->points) {
     *whole = all;
     all = (odd_cycles){0};
