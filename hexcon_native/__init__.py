@@ -129,7 +129,8 @@ class SurfaceReport:
     bipartite             the points can be coloured black and white along edges
     fillable              a hex mesh with this boundary exists, as a complex (Erickson 2014): the quads are
                           even in number, and no odd closed path of edges bounds inside. None: not
-                          known (a surface that crosses itself, too many holes, or several bodies with an odd part)
+                          known (too many holes, or several bodies with an odd part); meaningless if the surface
+                          crosses itself
     oriented              quads face out of the solid as given; False: all shells, or some, face into
                           it, and `mesh` turns those
     convex                no edge is concave by more than the warp of its quads

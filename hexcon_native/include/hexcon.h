@@ -124,9 +124,9 @@ typedef struct hexcon_surface_report {
   bool even;           /**< even number of quads in every component */
   bool bipartite;      /**< points can be 2-coloured along edges */
   /** Source: Erickson, Efficiently hex-meshing things with topology (2014): YES if the quads are
-   * even in number and no odd closed path of edges, or sum of such, bounds inside. UNKNOWN of a
-   * surface that crosses itself, of several bodies with an odd shell, and where the closed paths
-   * are too many, or too near to each other, to tell. */
+   * even in number and no odd closed path of edges, or sum of such, bounds inside. UNKNOWN of
+   * several bodies with an odd shell, and where the closed paths are too many, or too near to each
+   * other, to tell. Of a surface that crosses itself it is UNKNOWN, or means nothing. */
   hexcon_fillable fillable;
   bool oriented;    /**< quads face out of the solid as given; false: all shells, or some, face into
                        it, and are turned */

@@ -11,7 +11,7 @@
 
 /** Surfaces and meshes the calls work on. */
 typedef struct material {
-  test_mesh swept, twisted, diced, small, not_swept, torus, scrambled, cube;
+  test_mesh swept, twisted, diced, small, not_swept, torus, odd_torus, hollow, scrambled, cube;
   uint8_t *fixed, *swept_fixed;
   double *positions, *goal; /* goal: of swept, to be gone to by its boundary */
 } material;
@@ -29,6 +29,19 @@ static hexcon_status call_check_torus(hexcon_context *context, material *m) {
   hexcon_surface_report report;
   return hexcon_check_surface(context, m->torus.points, m->torus.point_count, m->torus.quads,
                               m->torus.quad_count, &report);
+}
+
+/** A path that bounds inside is odd. */
+static hexcon_status call_check_odd_torus(hexcon_context *context, material *m) {
+  hexcon_surface_report report;
+  return hexcon_check_surface(context, m->odd_torus.points, m->odd_torus.point_count,
+                              m->odd_torus.quads, m->odd_torus.quad_count, &report);
+}
+
+static hexcon_status call_check_hollow(hexcon_context *context, material *m) {
+  hexcon_surface_report report;
+  return hexcon_check_surface(context, m->hollow.points, m->hollow.surface_point_count,
+                              m->hollow.quads, m->hollow.quad_count, &report);
 }
 
 static hexcon_status call_loops(hexcon_context *context, material *m) {
@@ -280,6 +293,8 @@ static const struct {
   public_call call;
 } calls[] = {{"check", call_check},
              {"check torus", call_check_torus},
+             {"check odd torus", call_check_odd_torus},
+             {"check hollow", call_check_hollow},
              {"loops", call_loops},
              {"colouring", call_colouring},
              {"colouring torus", call_colouring_torus},
@@ -356,6 +371,8 @@ static int set_up(void **state) {
   m.diced = make_box(2, 2, 2);
   m.not_swept = make_schneiders_pyramid();
   m.torus = make_torus(3, 4);
+  m.odd_torus = make_torus(4, 3);
+  m.hollow = make_cells(3, 3, 3, "#############.#############");
   m.cube = make_box(1, 1, 1);
   m.scrambled = make_box(4, 3, 3);
   for (size_t i = 3 * m.scrambled.surface_point_count; i < 3 * m.scrambled.point_count; i++)
@@ -376,6 +393,8 @@ static int tear_down(void **state) {
   test_mesh_free(&m->small);
   test_mesh_free(&m->not_swept);
   test_mesh_free(&m->torus);
+  test_mesh_free(&m->odd_torus);
+  test_mesh_free(&m->hollow);
   test_mesh_free(&m->cube);
   test_mesh_free(&m->scrambled);
   free(m->fixed);

@@ -115,6 +115,8 @@ static void genus(void **state) {
   hexcon_surface_report hollow = facts_of(make_cells(3, 3, 3, "#############.#############"));
   assert_int_equal(hollow.component_count, 2);
   assert_int_equal(hollow.genus, 0);
+  assert_int_equal(hollow.cavity_count, 1);
+  assert_int_equal(pair.cavity_count, 0);
   assert_true(hollow.oriented);
   assert_close(hollow.volume, 26, 1e-12);
 }

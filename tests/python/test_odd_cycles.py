@@ -275,10 +275,21 @@ def test_linked_cavities(first, second):
 
 # ----------------------------------------------------------------------------- honesty and cost
 
-def test_a_surface_that_crosses_itself_is_left_open():
-    """A tube pulled through itself bounds no body: the linking numbers are those of no surface."""
-    points, quads = tube(trefoil, 40, 3, 1.5)
-    assert hn.check_surface(points, quads).fillable is not True
+@pytest.mark.parametrize("n, radius", [(4, 1.3), (4, 1.5), (6, 1.3)])
+def test_a_surface_that_crosses_itself_is_left_open(n, radius):
+    """A tube pulled through itself bounds no body: these linking numbers are those of no surface. Nothing is claimed,
+    and methods go on to their own faults."""
+    points, quads = tube(trefoil, 41, n, radius)
+    report = hn.check_surface(points, quads)
+    assert report.fillable is None and report.as_dict()["fillable"] is None
+    assert refusal(points, quads, "cells").code != Code.NO_HEX_MESH
+
+
+@pytest.mark.parametrize("scale, shift", [(1e-40, 0.0), (1e40, 0.0), (1.0, 1e6)])
+def test_scale_and_place_do_not_matter(scale, shift):
+    for m, n in ((11, 4), (10, 5)):
+        points, quads = tube(circle, m, n, 1.0)
+        assert hn.check_surface(points * scale + shift, quads).fillable == (n == 4)
 
 
 @pytest.mark.parametrize("odd", [None, 17])

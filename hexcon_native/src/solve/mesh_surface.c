@@ -155,10 +155,11 @@ static hexcon_status check_cavities(hexcon_context *context, const surface *s,
                                     hexcon_method method) {
   if (s->cavity_count == 0 || deals_with_cavities(method))
     return HEXCON_OK;
-  return context_fail(context, HEXCON_NOT_A_BALL,
-                      "the body has cavities, %zu in number: this method fills bodies without any; diced and "
-                      "cells may do",
-                      s->cavity_count);
+  return context_fail(
+      context, HEXCON_NOT_A_BALL,
+      "the body has cavities, %zu in number: this method fills bodies without any; diced and "
+      "cells may do",
+      s->cavity_count);
 }
 
 /* -------------------------------------------------------------------------------------- filling */

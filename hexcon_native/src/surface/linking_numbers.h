@@ -15,13 +15,13 @@
  * pushed inward and cycles that bound outside. As ring j meets cycle i on the surface if and only
  * if i = j, pushing inward gives the same matrix plus the unit matrix. So the matrix is a
  * projection: it keeps what bounds outside and takes what bounds inside to zero, and has half its
- * size as its rank. Both are checked, which finds curves that were misjudged and many a surface
- * that crosses itself.
+ * size as its rank. Both are checked, which finds curves that were misjudged and some surfaces
+ * that cross themselves.
  *
  * @param s      with points, turned outward; taken as flat over triangles from the middle of each
  *               quad to its edges
  * @param known  false if it could not be told: curves that touch as far as rounding can tell in all
- *               directions tried, a surface that crosses itself, or more work than
+ *               directions tried, a surface that was found to cross itself, or more work than
  *               LINKING_MOST_BOXES and LINKING_MOST_CYCLES; `out` is then empty
  * @param out    free with bit_matrix_free, also after an error
  * Cost: pairs of pieces of 32 edges, one of a cycle and one of a ring, and of edges where their
