@@ -120,7 +120,7 @@ def test_tori(m, n, shift):
         assert_odd_path(quads, fault.elements)
         around = np.exp(1j * np.arctan2(points[fault.elements, 1], points[fault.elements, 0]))
         assert abs(np.angle(np.roll(around, -1) / around).sum()) < 1e-9    # it does not go round the axis
-        assert len(fault.elements) <= n + 2 * shift
+        assert len(fault.elements) == n
 
 
 def test_all_methods_refuse_but_four_split():

@@ -6,17 +6,21 @@
 #include "colouring.h"
 #include "handle_cycles.h"
 #include "linking_numbers.h"
+#include "short_cycle.h"
 
-/** So many odd sums of basis cycles are looked at for the one that is shown. */
-enum { MOST_SHOWN = 32 };
+/** Paths are looked for from so many points of so many odd sums of basis cycles, .. */
+enum { SUMS = 16, POINTS_OF_SUM = 8 };
+/** .. as long as all searches together are no larger than this many points. */
+static const size_t most_searched = 100000000;
 
 typedef struct search {
   const surface *s;
   const handle_cycles *cycles;
   const bit_matrix *linking;
-  uint8_t *sum;     /* [4 quad_count] edges of a sum of cycles, under their lower half-edge */
-  uint8_t *in_path; /* the same of one path */
-  int32_t *place;   /* [point_count] of points on the path that is being walked; -1 of others */
+  uint8_t *sum; /* [4 quad_count] edges of a sum of cycles, under their lower half-edge */
+  uint64_t
+      *labels;    /* [4 quad_count] of half-edges: their sum over a path is 0 if it bounds inside */
+  int32_t *place; /* [point_count] of points on the path that is being walked; -1 of others */
   int32_t *half_edge_of_point; /* [point_count] one that starts there */
   int32_t *walk;               /* [2 quad_count] half-edges of that path */
   int32_t *near;               /* [12 quad_count] quads where a sum may still be tightened */
@@ -24,7 +28,7 @@ typedef struct search {
 
 static void search_free(hexcon_context *context, search *w) {
   context_free(context, w->sum);
-  context_free(context, w->in_path);
+  context_free(context, w->labels);
   context_free(context, w->place);
   context_free(context, w->half_edge_of_point);
   context_free(context, w->walk);
@@ -34,12 +38,12 @@ static void search_free(hexcon_context *context, search *w) {
 static hexcon_status search_new(hexcon_context *context, search *w) {
   const surface *s = w->s;
   w->sum = context_allocate_zeroed(context, 4 * s->quad_count, sizeof *w->sum);
-  w->in_path = context_allocate_zeroed(context, 4 * s->quad_count, sizeof *w->in_path);
+  w->labels = context_allocate_zeroed(context, 4 * s->quad_count, sizeof *w->labels);
   w->place = context_allocate(context, s->point_count, sizeof *w->place);
   w->half_edge_of_point = context_allocate(context, s->point_count, sizeof *w->half_edge_of_point);
   w->walk = context_allocate(context, 2 * s->quad_count, sizeof *w->walk);
   w->near = context_allocate(context, s->quad_count, 12 * sizeof *w->near);
-  if (!w->sum || !w->in_path || !w->place || !w->half_edge_of_point || !w->walk || !w->near)
+  if (!w->sum || !w->labels || !w->place || !w->half_edge_of_point || !w->walk || !w->near)
     return HEXCON_OUT_OF_MEMORY;
   memset(w->place, -1, s->point_count * sizeof *w->place);
   for (size_t h = 0; h < 4 * s->quad_count; h++)
@@ -82,30 +86,29 @@ static void add_rest(search *w, size_t cycle) {
       add_cycle(w, j);
 }
 
-/** Whether a path bounds inside: the rings that it crosses oddly tell of which cycles it is the
- * sum. */
-static hexcon_status check_bounds(hexcon_context *context, search *w, const int32_t *path,
-                                  size_t length, bool *bounds) {
+/** splitmix64's finalizer: as good as random words, and always the same. */
+static uint64_t scramble(uint64_t x) {
+  x = (x + 1) * 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+/** What a path links is the sum of the matrix's rows for the rings that it crosses. Rows become
+ * words by a linear map, one to one for up to 64 columns, else at random: a path that links
+ * something then has a sum of 0 with a chance of 2^-64. */
+static void label_edges(search *w) {
   const handle_cycles *c = w->cycles;
-  uint64_t *links = context_allocate_zeroed(context, w->linking->words, sizeof *links);
-  if (!links)
-    return HEXCON_OUT_OF_MEMORY;
-  for (size_t k = 0; k < length; k++)
-    w->in_path[edge_of(w->s, path[k])] = 1;
-  for (size_t i = 0; i < c->count; i++) {
-    bool odd = false;
-    for (size_t k = c->first_across[i]; k < c->first_across[i + 1]; k++)
-      odd ^= w->in_path[edge_of(w->s, c->across[k])];
-    for (size_t word = 0; odd && word < w->linking->words; word++)
-      links[word] ^= w->linking->rows[i * w->linking->words + word];
+  for (size_t j = 0; j < c->count; j++) {
+    uint64_t label = 0;
+    for (size_t k = 0; k < c->count; k++)
+      if (bit_matrix_get(w->linking, j, k))
+        label ^= c->count <= 64 ? (uint64_t)1 << k : scramble(k);
+    for (size_t k = c->first_across[j]; k < c->first_across[j + 1]; k++) {
+      w->labels[c->across[k]] ^= label;
+      w->labels[w->s->twins[c->across[k]]] ^= label;
+    }
   }
-  *bounds = true;
-  for (size_t word = 0; word < w->linking->words; word++)
-    *bounds = *bounds && links[word] == 0;
-  for (size_t k = 0; k < length; k++)
-    w->in_path[edge_of(w->s, path[k])] = 0;
-  context_free(context, links);
-  return HEXCON_OK;
 }
 
 /* --------------------------------------------------------------------------------------- paths */
@@ -179,25 +182,9 @@ static hexcon_status keep_points(hexcon_context *context, const search *w, const
   return HEXCON_OK;
 }
 
-/** A simple closed path of a sum was walked: keep it with the others, or alone, if it is one of its
- * own and the shortest. */
-static hexcon_status take_path(hexcon_context *context, search *w, const int32_t *path,
-                               size_t length, odd_cycles *all, odd_cycles *best) {
-  bool bounds = false;
-  hexcon_status status = keep_points(context, w, path, length, all);
-  if (status || length % 2 == 0 || (best->points && best->point_count <= length))
-    return status;
-  status = check_bounds(context, w, path, length, &bounds);
-  if (status || !bounds)
-    return status;
-  best->path_count = best->point_count = 0;
-  return keep_points(context, w, path, length, best);
-}
-
 /** Take the sum apart into simple closed paths, from a point on: whenever the walk comes back to
  * where it was, it has closed one. */
-static hexcon_status walk_from(hexcon_context *context, search *w, int32_t point, odd_cycles *all,
-                               odd_cycles *best) {
+static hexcon_status walk_from(hexcon_context *context, search *w, int32_t point, odd_cycles *out) {
   size_t length = 0;
   hexcon_status status = HEXCON_OK;
   for (int32_t h = way_on(w, point); !status && h >= 0; h = way_on(w, point)) {
@@ -208,42 +195,74 @@ static hexcon_status walk_from(hexcon_context *context, search *w, int32_t point
     if (w->place[point] < 0)
       continue;
     const size_t first = (size_t)w->place[point];
-    status = take_path(context, w, w->walk + first, length - first, all, best);
+    status = keep_points(context, w, w->walk + first, length - first, out);
     for (; length > first; length--)
       w->place[half_edge_start(w->s, w->walk[length - 1])] = -1;
   }
   return status;
 }
 
-/** Look at one odd sum for a short path; keep the whole sum if there is nothing yet. */
-static hexcon_status take_apart(hexcon_context *context, search *w, size_t cycle, odd_cycles *whole,
-                                odd_cycles *best) {
-  odd_cycles all = {0};
+/** The paths of what bounds inside of a cycle. */
+static hexcon_status write_rest(hexcon_context *context, search *w, size_t cycle, odd_cycles *out) {
   hexcon_status status = HEXCON_OK;
+  *out = (odd_cycles){.fillable = HEXCON_FILLABLE_NO};
   add_rest(w, cycle);
   tighten(w);
   for (int32_t h = 0; !status && h < (int32_t)(4 * w->s->quad_count); h++)
     if (w->sum[h])
-      status = walk_from(context, w, half_edge_start(w->s, h), &all, best);
-  if (!status && !whole->points) {
-    *whole = all;
-    all = (odd_cycles){0};
+      status = walk_from(context, w, half_edge_start(w->s, h), out);
+  return status;
+}
+
+static void keep_simpler(odd_cycles *best, odd_cycles *other) {
+  bool simpler = other->path_count < best->path_count ||
+                 (other->path_count == best->path_count && other->point_count < best->point_count);
+  if (best->points && !simpler)
+    return;
+  odd_cycles worse = *best;
+  *best = *other;
+  *other = worse;
+}
+
+/** Look for one odd path that is shorter, from some points of those that were found. */
+static hexcon_status shorten(hexcon_context *context, short_cycle_search *finder,
+                             const odd_cycles *paths, odd_cycles *best) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t k = 0; !status && k < POINTS_OF_SUM && k < paths->point_count; k++) {
+    const size_t row = k * paths->point_count / POINTS_OF_SUM;
+    odd_cycles found = {.fillable = HEXCON_FILLABLE_NO, .path_count = 1};
+    found.points = context_allocate(context, finder->s->point_count, sizeof *found.points);
+    if (!found.points)
+      return HEXCON_OUT_OF_MEMORY;
+    found.point_count =
+        short_cycle_find(finder, paths->points[row],
+                         best->path_count == 1 ? best->point_count : SIZE_MAX, found.points);
+    if (found.point_count > 0)
+      keep_simpler(best, &found);
+    odd_cycles_free(context, &found);
   }
-  odd_cycles_free(context, &all);
   return status;
 }
 
 static hexcon_status find_paths(hexcon_context *context, search *w, odd_cycles *out) {
-  odd_cycles whole = {0}, best = {0};
-  hexcon_status status = HEXCON_OK;
-  for (size_t i = 0, looked = 0; !status && i < w->cycles->count && looked < MOST_SHOWN; i++)
-    if (rest_is_odd(w, i)) {
-      status = take_apart(context, w, i, &whole, &best);
-      looked++;
-    }
-  *out = best.points ? best : whole;
-  odd_cycles_free(context, best.points ? &whole : &best);
-  out->fillable = out->points ? HEXCON_FILLABLE_NO : HEXCON_FILLABLE_YES;
+  short_cycle_search finder;
+  const size_t step = POINTS_OF_SUM * w->s->point_count;
+  hexcon_status status = short_cycle_new(context, w->s, w->labels, &finder);
+  size_t looked = 0;
+  out->fillable = HEXCON_FILLABLE_YES;
+  for (size_t i = 0; !status && i < w->cycles->count && looked < SUMS; i++) {
+    if (!rest_is_odd(w, i) || (looked > 0 && looked * step > most_searched))
+      continue;
+    odd_cycles paths;
+    status = write_rest(context, w, i, &paths);
+    if (!status)
+      status = shorten(context, &finder, &paths, out);
+    if (!status)
+      keep_simpler(out, &paths);
+    odd_cycles_free(context, &paths);
+    looked++;
+  }
+  short_cycle_free(context, &finder);
   return status;
 }
 
@@ -251,8 +270,10 @@ static hexcon_status judge(hexcon_context *context, const surface *s, const hand
                            const bit_matrix *linking, odd_cycles *out) {
   search w = {.s = s, .cycles = cycles, .linking = linking};
   hexcon_status status = search_new(context, &w);
-  if (!status)
+  if (!status) {
+    label_edges(&w);
     status = find_paths(context, &w, out);
+  }
   search_free(context, &w);
   return status;
 }

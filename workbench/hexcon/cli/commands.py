@@ -222,7 +222,7 @@ def info(options):
         f"({int(report.loops.self_crossings.sum())} crossings)",
         f"colouring     {'black and white' if report.bipartite else 'impossible: an odd cycle'}",
         f"hex mesh      {FILLABLE[report.fillable]}",
-        f"orientation   {'outward' if report.oriented else 'inward (meshing turns it)'}",
+        f"orientation   {'outward' if report.oriented else 'inward, or some shells are (meshing turns them)'}",
         f"shape         {'convex' if report.convex else 'not convex'}, star centre {center}, "
         f"volume {report.volume:.6g}",
         *(f"note          {note}" for note in surface.notes)]

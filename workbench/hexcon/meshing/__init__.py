@@ -11,7 +11,7 @@ from ..tetrahedra import tetrahedralise
 from ..topological import is_topological
 
 _ABOUT_THE_SURFACE = (ErrorCode.NOT_SWEPT, ErrorCode.NO_SHEETS, ErrorCode.NOT_DICED, ErrorCode.NOT_STAR_SHAPED,
-                      ErrorCode.UNFILLABLE_QUAD, ErrorCode.NOT_BIPARTITE, ErrorCode.NOT_CERTIFIED)
+                      ErrorCode.UNFILLABLE_QUAD, ErrorCode.NOT_BIPARTITE, ErrorCode.NO_HEX_MESH, ErrorCode.NOT_CERTIFIED)
 
 # How fast tetrahedra inside grow, up to this many triangles and beyond: slow growth makes a fifth
 # more hexes, somewhat better ones, and takes twice as long to improve.
