@@ -30,7 +30,8 @@ static hexcon_status rank_ways(hexcon_context *context, const surface *shell,
   size_t fewest = SIZE_MAX;
   uint8_t nearest = 0;
   *count = 0;
-  for (uint8_t way = 0; way < COARSE_WAYS; way++) {
+  for (int k = 0; k < COARSE_WAYS; k++) {
+    const uint8_t way = (uint8_t)k;
     coarse_surface c;
     size_t faults = 0;
     hexcon_status status = coarse_surface_read(context, shell, &way, &c, &faults);

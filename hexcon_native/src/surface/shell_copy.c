@@ -76,6 +76,6 @@ hexcon_status shell_copies_take(hexcon_context *context, shell_copies *copies, s
 }
 
 void shell_copy_free(hexcon_context *context, surface *shell) {
-  context_free(context, (void *)(uintptr_t)shell->points);
+  context_free(context, (void *)shell->points);
   surface_free(context, shell);
 }
