@@ -405,7 +405,9 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
     budget             seconds after which what is being tried is given up and the best mesh until
                        then is taken; 0: no limit
     progress           callable (stage, fraction in 0 .. 1); returning False, raising, or Ctrl-C
-                       cancels
+                       cancels. As far as there is a mesh, ", " and what is known of it follow the
+                       stage's name: "optimisation, 64 hexes, worst scaled Jacobian 0.312", or
+                       "untangling, 3 of 64 hexes inverted"
     allow_uncertified  return the best mesh found even if its certificate fails
     certify            False: prove nothing; the mesh has no certificate, and a topological one no
                        quality

@@ -83,7 +83,9 @@ typedef struct hexcon_context hexcon_context;
 
 /**
  * Called now and then during long work, always from the calling thread.
- * @param stage     what is being done, valid during the call; optimisation says the worst value
+ * @param stage     what is being done, valid during the call. As far as there is a mesh, ", " and
+ *                  what is known of it follow: "optimisation, 64 hexes, worst scaled Jacobian
+ *                  0.312", or "untangling, 3 of 64 hexes inverted"
  * @param fraction  of that stage, in [0, 1]
  * @return false to cancel: the running call ends with HEXCON_CANCELLED
  */

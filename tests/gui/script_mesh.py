@@ -127,6 +127,7 @@ def cancel_half_way_leaves_the_document_untouched():
         wait(reached.is_set, "points to be placed")
         wait(lambda: "placing" in find(QtGui.QProgressBar, "progress").format(), "the stage")
         assert find(QtGui.QProgressBar, "progress").value() > 400
+        assert find(QtGui.QLabel, "figures").text().endswith(" hexes")
         picture("panel_working.png")
         button("cancel").click()
         go_on.set()

@@ -135,7 +135,7 @@ def held_at(stage, module=None, name="mesh_solid"):
     def slow(*given, progress, **options):
         def report(now, fraction):
             answer = progress(now, fraction)
-            if now == stage and fraction > 0.4:
+            if now.partition(", ")[0] == stage and fraction > 0.4:
                 reached.set()
                 go_on.wait(PATIENCE)
             return answer and progress(now, fraction)

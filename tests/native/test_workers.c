@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
 /** Work shared out to threads: all of it done once, faults and cancellation heard of, the caller's
  * allocator and progress callback spared. Threads note what they see; only main asserts. */
+#include <float.h>
+#include <math.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
@@ -128,7 +130,7 @@ typedef struct listener {
 static bool listen(void *user, const char *stage, double fraction) {
   listener *l = user;
   l->wrong_thread |= !thrd_equal(thrd_current(), l->caller);
-  l->wrong_words |= strcmp(stage, "listening") != 0 || !(fraction >= 0 && fraction <= 1);
+  l->wrong_words |= strcmp(stage, "listening, 64 hexes") != 0 || !(fraction >= 0 && fraction <= 1);
   return ++l->calls != l->cancel_at;
 }
 
@@ -150,6 +152,7 @@ static void cancellation_from_the_calling_thread(void **state) {
       listener l = {.caller = thrd_current(), .cancel_at = cancel_at};
       atomic_size_t sum = 0;
       context_clear(context);
+      context_tell_mesh(context, 64, 0, NAN);
       hexcon_context_set_progress(context, listen, &l);
       hexcon_status status = workers_run(context, threads, MOST_ITEMS, "listening", ask, &sum);
       bool cancelled =
@@ -161,6 +164,37 @@ static void cancellation_from_the_calling_thread(void **state) {
       if (cancelled)
         assert_message(context);
     }
+  hexcon_context_free(context);
+}
+
+static bool remember(void *user, const char *stage, double fraction) {
+  (void)fraction;
+  (void)snprintf(user, 100, "%s", stage);
+  return true;
+}
+
+static void progress_tells_what_is_known_of_the_mesh(void **state) {
+  (void)state;
+  char told[100];
+  hexcon_context *context = hexcon_context_new();
+  hexcon_context_set_progress(context, remember, told);
+  assert_int_equal(context_progress(context, "pairing", 0), HEXCON_OK);
+  assert_string_equal(told, "pairing");
+  context_tell_mesh(context, 4212, 0, NAN);
+  assert_int_equal(context_progress(context, "placement", 0), HEXCON_OK);
+  assert_string_equal(told, "placement, 4212 hexes");
+  context_tell_mesh(context, 4212, 17, -0.5);
+  assert_int_equal(context_progress(context, "untangling", 0), HEXCON_OK);
+  assert_string_equal(told, "untangling, 17 of 4212 hexes inverted");
+  context_tell_mesh(context, 4212, 0, 0.3124);
+  assert_int_equal(context_progress(context, "optimisation", 0), HEXCON_OK);
+  assert_string_equal(told, "optimisation, 4212 hexes, worst scaled Jacobian 0.312");
+  context_tell_mesh(context, SIZE_MAX, SIZE_MAX - 1, -DBL_MAX);
+  assert_int_equal(context_progress(context, "all words fit", 1), HEXCON_OK);
+  assert_string_equal(told + strlen(told) - 15, " hexes inverted");
+  context_clear(context);
+  assert_int_equal(context_progress(context, "pairing", 0), HEXCON_OK);
+  assert_string_equal(told, "pairing");
   hexcon_context_free(context);
 }
 
@@ -230,6 +264,7 @@ int main(void) {
       cmocka_unit_test(fault_arrives),
       cmocka_unit_test(fault_is_not_taken_for_cancellation),
       cmocka_unit_test(cancellation_from_the_calling_thread),
+      cmocka_unit_test(progress_tells_what_is_known_of_the_mesh),
       cmocka_unit_test(allocator_is_entered_by_one),
       cmocka_unit_test(out_of_memory),
   };

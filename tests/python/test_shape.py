@@ -286,7 +286,7 @@ def test_progress_of_optimize_tells_the_worst():
     start = scramble(points, hexes, fixed, 0.3, 6)
     found = hn.optimize(start, hexes, fixed, threads=1, progress=patience)
     bad = [int(match[1]) for stage, _ in patience.seen
-           if (match := re.search(r"(\d+) hexes inverted", stage))]
+           if (match := re.search(r"(\d+) of \d+ hexes inverted", stage))]
     worsts = [float(match[1]) for stage, _ in patience.seen
               if (match := re.search(r"worst scaled Jacobian (\S+)", stage))]
     assert bad[0] == len(nonpositive(start, hexes))

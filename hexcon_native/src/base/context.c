@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
 #include "context.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -54,6 +55,7 @@ size_t hexcon_context_elements(const hexcon_context *context, const int32_t **el
 void context_clear(hexcon_context *context) {
   context->element_count = 0;
   context->message[0] = '\0';
+  context->figures[0] = '\0';
 }
 
 void context_add_element(hexcon_context *context, int32_t element) {
@@ -75,8 +77,28 @@ double context_clock(void) {
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+void context_tell_mesh(hexcon_context *context, size_t hexes, size_t inverted, double worst) {
+  char *figures = context->figures;
+  const size_t size = sizeof context->figures;
+  figures[0] = '\0';
+  if (hexes > 0 && inverted > 0)
+    (void)snprintf(figures, size, ", %zu of %zu hexes inverted", inverted, hexes);
+  else if (hexes > 0 && isnan(worst))
+    (void)snprintf(figures, size, ", %zu hexes", hexes);
+  else if (hexes > 0)
+    (void)snprintf(figures, size, ", %zu hexes, worst scaled Jacobian %.3f", hexes, worst);
+}
+
+bool context_report(hexcon_context *context, const char *stage, double fraction) {
+  char words[sizeof context->figures + 64];
+  if (!context->progress)
+    return true;
+  (void)snprintf(words, sizeof words, "%s%s", stage, context->figures);
+  return context->progress(context->progress_user, words, fraction);
+}
+
 hexcon_status context_progress(hexcon_context *context, const char *stage, double fraction) {
-  if (context->progress && !context->progress(context->progress_user, stage, fraction))
+  if (!context_report(context, stage, fraction))
     return context_fail(context, HEXCON_CANCELLED, "cancelled during %s", stage);
   if (context->deadline > 0 && context_clock() > context->deadline)
     return context_fail(context, HEXCON_OUT_OF_TIME,

@@ -16,7 +16,8 @@ struct hexcon_context {
   void *progress_user;
   hexcon_reallocate reallocate;
   void *reallocate_user;
-  double deadline; /**< by context_clock; 0: none */
+  double deadline;  /**< by context_clock; 0: none */
+  char figures[80]; /**< of the mesh at work, in words; "": none yet */
   size_t element_count;
   int32_t elements[CONTEXT_MAX_ELEMENTS];
   char message[512];
@@ -34,6 +35,18 @@ hexcon_status context_fail(hexcon_context *context, hexcon_status status, const 
 
 /** Seconds since an arbitrary start. */
 double context_clock(void);
+
+/**
+ * What is known of the mesh at work: progress says it after every stage's name from here on, until
+ * another call. The only place that knows how.
+ * @param hexes     0: nothing is said
+ * @param inverted  hexes not proved positive
+ * @param worst     scaled Jacobian, said where no hex is inverted; NAN: not known yet
+ */
+void context_tell_mesh(hexcon_context *context, size_t hexes, size_t inverted, double worst);
+
+/** Tell the caller of a stage and of the mesh at work; false to cancel. */
+bool context_report(hexcon_context *context, const char *stage, double fraction);
 
 /** Report progress; HEXCON_CANCELLED if the user wants to stop, HEXCON_OUT_OF_TIME after the
  * deadline, with the error stored. */

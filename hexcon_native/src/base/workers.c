@@ -47,9 +47,7 @@ static bool report(void *user, const char *stage, double fraction) {
     return !atomic_load(&shared->stopped);
   size_t begun = atomic_load(&shared->next);
   begun = begun < shared->count ? begun : shared->count;
-  return !shared->parent->progress ||
-         shared->parent->progress(shared->parent->progress_user, shared->stage,
-                                  (double)begun / (double)shared->count);
+  return context_report(shared->parent, shared->stage, (double)begun / (double)shared->count);
 }
 
 static int run_worker(void *argument) {

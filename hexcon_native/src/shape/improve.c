@@ -2,7 +2,6 @@
 #include "improve.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -42,10 +41,10 @@ typedef struct improvement {
   int threads;
   double target;
   pass_kind kind;
-  bool patient;    /* of repair_patch */
-  double distance; /* of sharpen_patch */
-  double floor;    /* of raise_mean_patch */
-  char stage[64];  /* for the user */
+  bool patient;      /* of repair_patch */
+  double distance;   /* of sharpen_patch */
+  double floor;      /* of raise_mean_patch */
+  const char *stage; /* for the user */
 } improvement;
 
 /** What is never made worse, in this order. */
@@ -79,6 +78,12 @@ static standing summarise(const improvement *m, const int32_t *hexes, size_t cou
     s.sum += value;
   }
   return s;
+}
+
+/** The mesh as it is, to the user with every stage. */
+static void tell(hexcon_context *context, const improvement *m) {
+  standing now = summarise(m, NULL, m->set.mesh_hex_count);
+  context_tell_mesh(context, m->set.mesh_hex_count, now.inverted, now.worst);
 }
 
 static bool is_better(const improvement *m, standing a, standing b) {
@@ -201,6 +206,7 @@ static hexcon_status repair_mesh(hexcon_context *context, improvement *m, int ro
   hexcon_status status = HEXCON_OK;
   size_t before = SIZE_MAX, harder = 0;
   m->kind = REPAIR;
+  m->stage = "untangling";
   for (; !status && *done < (size_t)rounds; ++*done) {
     size_t count = 0;
     for (size_t h = 0; h < m->set.mesh_hex_count; h++)
@@ -211,7 +217,7 @@ static hexcon_status repair_mesh(hexcon_context *context, improvement *m, int ro
     if (count == 0 || harder == most)
       break;
     m->patient = efforts[harder].patient;
-    (void)snprintf(m->stage, sizeof m->stage, "untangling, %zu hexes inverted", count);
+    tell(context, m);
     hex_groups_fill(&m->set, m->seeds, count, SIZE_MAX, &m->groups);
     status = improve_groups(context, m, efforts[harder].layers);
   }
@@ -259,7 +265,7 @@ static hexcon_status rank_seeds(hexcon_context *context, improvement *m, double 
     *worst = fmin(*worst, value);
     mean += value / (double)hex_count;
   }
-  (void)snprintf(m->stage, sizeof m->stage, "optimisation, worst scaled Jacobian %.3f", *worst);
+  tell(context, m);
   double limit = fmin(*worst + reach * fmax(mean - *worst, 1e-3), target);
   for (size_t h = 0; h < hex_count; h++)
     if (m->quality[h] < limit && !is_inverted(m->quality[h]) && has_free_point(m, h))
@@ -275,6 +281,7 @@ static hexcon_status sharpen_mesh(hexcon_context *context, improvement *m, int r
                                   size_t *done) {
   hexcon_status status = HEXCON_OK;
   m->kind = SHARPEN;
+  m->stage = "optimisation";
   for (; !status && *done < (size_t)rounds; ++*done) {
     const sharpening *pass = &schedule[*done < SHARPENINGS ? *done : SHARPENINGS - 1];
     size_t count;
@@ -295,6 +302,7 @@ static const double floor_part = 0.76, lowest_floor = 0.101, least_floor = 1e-6;
 static hexcon_status raise_mean(hexcon_context *context, improvement *m, int passes) {
   hexcon_status status = HEXCON_OK;
   m->kind = RAISE_MEAN;
+  m->stage = "optimisation";
   for (int pass = 0; !status && pass < passes; pass++) {
     size_t count;
     double worst;
@@ -349,6 +357,7 @@ static hexcon_status improve_ordered(hexcon_context *context, canonical_order *m
                    .target = fmin(options->target > 0 ? options->target : 1, good_enough)};
   hexcon_status status =
       improvement_new(context, &m, mesh->hexes, mesh->hex_count, mesh->point_count, mesh->fixed);
+  context_tell_mesh(context, mesh->hex_count, 0, NAN);
   if (!status)
     status = workers_run(context, m.threads, ranges, "measuring", measure_range, &m);
   if (!status)
@@ -359,6 +368,7 @@ static hexcon_status improve_ordered(hexcon_context *context, canonical_order *m
     status = raise_mean(context, &m, options->mean_passes);
   if (rounds)
     *rounds = repairs + sharpenings;
+  context_tell_mesh(context, 0, 0, NAN);
   improvement_free(context, &m);
   return status;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
 /** The public call that fills a surface. */
+#include <math.h>
 #include <string.h>
 
 #include "mesh_auto.h"
@@ -230,6 +231,14 @@ static hexcon_status measure(hexcon_context *context, hexcon_mesh *mesh) {
   return HEXCON_OK;
 }
 
+/** The mesh to be proved, to the user with every stage; what is inverted is not known before. */
+static void tell(hexcon_context *context, const hexcon_mesh *mesh) {
+  double worst = 1;
+  for (size_t h = 0; h < mesh->hex_count; h++)
+    worst = fmin(worst, mesh->quality[h]);
+  context_tell_mesh(context, mesh->hex_count, 0, worst);
+}
+
 /** By one method, certified or not. */
 static hexcon_status fill_by_method(hexcon_context *context, const surface *s,
                                     const hexcon_mesh_options *options, hexcon_mesh *mesh) {
@@ -243,7 +252,12 @@ static hexcon_status fill_by_method(hexcon_context *context, const surface *s,
   if (status || options->skip_certificate)
     return status;
   status = measure(context, mesh);
-  return status ? status : certify(context, mesh);
+  if (!status) {
+    tell(context, mesh);
+    status = certify(context, mesh);
+    context_tell_mesh(context, 0, 0, NAN);
+  }
+  return status;
 }
 
 static hexcon_status fill_surface(hexcon_context *context, const surface *s,

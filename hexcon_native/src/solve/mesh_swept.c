@@ -90,7 +90,10 @@ static hexcon_status place(hexcon_context *context, const surface *s, const swee
   sweep_write_hexes(w, f->hexes);
   sweep_levels levels = {w->rings,     w->cap_quad_count, w->cap_point_count,
                          w->cap_quads, w->on_rim,         w->ids};
-  return sweep_place(context, &levels, f->points);
+  context_tell_mesh(context, f->hex_count, 0, NAN);
+  hexcon_status status = sweep_place(context, &levels, f->points);
+  context_tell_mesh(context, 0, 0, NAN);
+  return status;
 }
 
 /** Build and place one candidate; f stays empty where the sweep does not exist. */

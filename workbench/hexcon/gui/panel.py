@@ -43,7 +43,7 @@ def hourglass():
 class Panel:
     """A FreeCAD task panel about one document object.
 
-    form holds, below what fill() adds: progress (bar), cancel (button), result (label).
+    form holds, below what fill() adds: progress (bar), figures (label), cancel (button), result (label).
     """
 
     failed = ""  # how the words of a fault begin
@@ -69,6 +69,9 @@ class Panel:
         self.progress = QtGui.QProgressBar()
         self.progress.setObjectName("progress")
         self.progress.setRange(0, STEPS)
+        self.figures = QtGui.QLabel()
+        self.figures.setObjectName("figures")
+        self.figures.setWordWrap(True)
         self.cancel = QtGui.QPushButton(translate("HexCon", "Cancel"))
         self.cancel.setObjectName("cancel")
         self.cancel.clicked.connect(self.on_cancel)
@@ -76,6 +79,7 @@ class Panel:
         rows = QtGui.QVBoxLayout(self.running)  # side by side the stage's name had no room
         rows.setContentsMargins(0, 0, 0, 0)
         rows.addWidget(self.progress)
+        rows.addWidget(self.figures)
         rows.addWidget(self.cancel)
         self.running.hide()
         self.result = QtGui.QLabel()
@@ -188,7 +192,9 @@ class Panel:
     def _show_stage(self, stage, fraction):
         if self._open and self.cancel.isEnabled():
             self.progress.setValue(int(STEPS * min(max(fraction, 0.0), 1.0)))
-            self.progress.setFormat(words.stage(stage))
+            name, figures = words.stage(stage)
+            self.progress.setFormat(name)
+            self.figures.setText(figures)
 
     def _set_running(self, running):
         self.running.setVisible(running)

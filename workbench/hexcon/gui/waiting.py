@@ -21,7 +21,8 @@ def run(job, name):
     loop, ended = QtCore.QEventLoop(), {}
 
     def on_stage(stage, fraction):
-        dialog.setLabelText(f"{name}: {words.stage(stage)}")
+        done, figures = words.stage(stage)
+        dialog.setLabelText(f"{name}: {done}\n{figures}")
         dialog.setValue(int(1000 * min(max(fraction, 0.0), 0.999)))
 
     def on_end(result, fault):

@@ -35,9 +35,10 @@ ORDERS = {1: QT_TRANSLATE_NOOP("HexCon", "first order (C3D8)"),
 MOST_LISTED = 10
 
 
-def stage(name):
-    """What a stage is called in the window."""
-    return translate("HexCon", STAGES[name]) if name in STAGES else name
+def stage(told):
+    """(what a stage is called in the window, what is known of the mesh there or ""), of what progress tells."""
+    name, _, figures = told.partition(", ")
+    return translate("HexCon", STAGES[name]) if name in STAGES else name, figures
 
 
 def count(number):
