@@ -9,12 +9,11 @@ import json
 import os
 import subprocess
 import sys
-import tempfile
 import time
 
 import numpy as np
 
-from hexcon import preferences
+from hexcon import disk, preferences
 from hexcon.errors import FaultCode, ToolError
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -65,17 +64,19 @@ def run_job(worker, write_input, job, timeout, progress=None):
     Raises ToolError TOOL_MISSING, TOOL_TIMEOUT, TOOL_FAILED (with gmsh's last words), or what the worker found.
     """
     python = gmsh_python(os.environ.get("HEXCON_GMSH_PYTHON") or preferences.value("GmshPython") or None)
-    with tempfile.TemporaryDirectory(prefix="hexcon-gmsh-") as folder:
-        job = dict(job, file=os.path.abspath(write_input(folder)), timeout=timeout, avoid=[])
+    with disk.working_folder("hexcon-gmsh-") as folder:
+        with disk.naming(folder, f"work in {folder}"):
+            job = dict(job, file=os.path.abspath(write_input(folder)), timeout=timeout, avoid=[])
         job_path = os.path.join(folder, "job.json")
         limit = time.monotonic() + timeout
         while True:
-            with open(job_path, "w", encoding="utf-8") as stream:
+            with disk.naming(folder, f"work in {folder}"), open(job_path, "w", encoding="utf-8") as stream:
                 json.dump(job, stream)
             code = _run(python, job_path, folder, worker, limit, timeout, progress)
             risk = _crashed_in(folder, code)
             if risk is None or len(job["avoid"]) >= CRASHES:
-                return _result(folder, code)
+                with disk.naming(folder, f"work in {folder}"):
+                    return _result(folder, code)
             job["avoid"].append(risk)
 
 

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A linear static analysis through FreeCAD's FEM workbench, without its GUI."""
 import os
-import tempfile
+import shutil
 from contextlib import contextmanager
 
 import numpy as np
 
-from hexcon import freecad_compat
-from hexcon.errors import FaultCode, ToolError
+from hexcon import disk, freecad_compat
+from hexcon.errors import FaultCode, HexconError, ToolError
 from hexcon.femmesh.convert import from_femmesh, to_femmesh
 from hexcon.femmesh.document import insert
 from hexcon.femmesh.elements import elements_of
@@ -40,7 +40,7 @@ def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pres
     waiting   function (job, name) -> job(progress)'s result, in which ccx runs; for windows
     Returns a Result. One undo step; on any failure the document is as it was.
     Raises ToolError: FREECAD_MISSING, TOOL_MISSING, TOOL_FAILED with ccx's words,
-    TOOL_TIMEOUT, BAD_OPTION, BAD_MESH, TOPOLOGICAL_MESH.
+    TOOL_TIMEOUT, FILE_IO, BAD_OPTION, BAD_MESH, TOPOLOGICAL_MESH.
     """
     refuse_topological(mesh, allow_topological)
     force, pressure = _without_zeros(force), dict(pressure or {})
@@ -51,7 +51,7 @@ def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pres
         raise ToolError("nothing is held: name at least one fixed face",
                         FaultCode.BAD_OPTION)
     program = find_ccx(freecad_compat.ccx_preference())
-    folder = workdir or tempfile.mkdtemp(prefix="hexcon-fem-")
+    folder = workdir or disk.new_folder("hexcon-fem-")
     if not os.path.isdir(folder):
         raise ToolError(f"working folder {folder} does not exist", FaultCode.FILE_IO)
     is_object = hasattr(mesh, "FemMesh")
@@ -63,12 +63,24 @@ def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pres
     setup.force = dict(zip(faces[1], force.values()))
     setup.pressure = dict(zip(faces[2], pressure.values()))
     before = {o.Name for o in doc.Objects}
-    with freecad_compat.transaction(doc, "Solve hex mesh"), setup.restoring():
+    with _kept_for_a_reason(folder, workdir), freecad_compat.transaction(doc, "Solve hex mesh"), setup.restoring():
         tools = setup.build(folder)
         found, log = _run(setup, tools, program, timeout, threads, waiting)
         result_object = _load(setup, tools)
         added = [o for o in doc.Objects if o.Name not in before]
     return _result(setup, tools, result_object, added, found, log)
+
+
+@contextmanager
+def _kept_for_a_reason(folder, given):
+    """A folder of ours is kept with the deck in it, unless the disk could not hold that."""
+    try:
+        with disk.naming(folder, f"work in {folder}"):
+            yield
+    except HexconError as fault:
+        if fault.code is FaultCode.FILE_IO and not given:
+            shutil.rmtree(folder, ignore_errors=True)
+        raise
 
 
 def _without_zeros(force):

@@ -2,12 +2,12 @@
 """Solving a bare .inp deck, without FreeCAD."""
 import os
 import re
-import shutil
-import tempfile
+from contextlib import nullcontext
 from dataclasses import dataclass
 
 import numpy as np
 
+from hexcon import disk
 from hexcon.errors import FaultCode, ToolError
 
 from . import frd
@@ -68,20 +68,14 @@ def solve_inp(deck, *, timeout=3600, threads=None, workdir=None, ccx=None):
     Raises ToolError: TOOL_MISSING, TOOL_FAILED with ccx's words, TOOL_TIMEOUT, FILE_IO.
     """
     text = _deck_text(deck)
-    folder = workdir or tempfile.mkdtemp(prefix="hexcon-ccx-")
-    try:
+    place = nullcontext(workdir) if workdir else disk.working_folder("hexcon-ccx-")
+    with place as folder, disk.naming(folder, f"work in {folder}"):
         path = os.path.join(folder, "deck.inp")
         with open(path, "w", encoding="utf-8") as stream:
             stream.write(text)
         found, log = run_ccx(path, timeout=timeout, threads=threads, ccx=ccx)
         dat = os.path.join(folder, "deck.dat")
         points = read_dat_stress(dat) if os.path.exists(dat) else None
-    except OSError as error:
-        raise ToolError(f"cannot work in {folder}: {error.strerror or error}",
-                        FaultCode.FILE_IO) from error
-    finally:
-        if workdir is None:
-            shutil.rmtree(folder, ignore_errors=True)
     stress = found["stress"]
     return InpResult(found["node_ids"], found["displacements"], stress,
                      None if stress is None else frd.von_mises(stress), points, log)

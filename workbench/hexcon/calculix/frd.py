@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 
+END = b"9999"  # the last line
 _VALUE = re.compile(rb"[-+]?\d\.\d{5}E[-+]\d{2,3}")
 
 
@@ -37,10 +38,13 @@ def read(path):
     """{"node_ids" (n,), "displacements" (n,3), "stress" (n,6)|None} of the last step.
 
     Stress components xx yy zz xy yz zx, in the deck's units, extrapolated to the nodes.
-    Returns None where the file holds no displacements: ccx did not get that far.
+    Returns None where the file holds no displacements, or lacks its last line: ccx did not get
+    that far, or the disk was full, which it does not notice.
     """
     with open(path, "rb") as stream:
         data = stream.read()
+    if data.rstrip()[-4:] != END:
+        return None
     block = _last_block(data, b"DISP")
     if not block:
         return None

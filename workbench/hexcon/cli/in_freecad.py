@@ -10,7 +10,6 @@ import os
 import shutil
 import subprocess
 import sys
-import tempfile
 import traceback
 
 FREECAD_ENDINGS = (".fcstd", ".med")
@@ -37,7 +36,8 @@ def rerun(arguments):
     program = shutil.which(os.environ.get("FREECADCMD") or "freecadcmd")
     if program is None:
         return None
-    with tempfile.TemporaryDirectory(prefix="hexcon-cli-") as folder:
+    from hexcon.disk import working_folder
+    with working_folder("hexcon-cli-") as folder:
         answer = os.path.join(folder, "answer")
         status = subprocess.run([program, os.path.abspath(__file__), "--", answer, *arguments],
                                 stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,

@@ -7,6 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
+from hexcon import disk
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.boundary import owners
 from hexcon.femmesh.elements import elements_of
@@ -80,16 +81,13 @@ def write(mesh, path, *, order=None, allow_topological=False, **options):
 def replace_file(path, write_to):
     """Call write_to(name beside path), then move that file to path, or leave no trace.
 
-    OSError becomes ToolError(FILE_IO)."""
+    OSError becomes ToolError(FILE_IO), and so does any fault of a program on a full disk."""
     folder, base = os.path.split(os.path.abspath(path))
-    try:
-        # a folder of its own: some writers (FreeCAD) put files of their own beside theirs
-        with tempfile.TemporaryDirectory(prefix=".hexcon-", dir=folder) as beside:
+    # a folder of its own: some writers (FreeCAD) put files of their own beside theirs
+    with disk.naming(folder, f"write {path}"), tempfile.TemporaryDirectory(prefix=".hexcon-", dir=folder) as beside:
+        with disk.naming(folder, f"write {path}"):  # what was written still is there, so the disk is full
             write_to(os.path.join(beside, base))
-            os.replace(os.path.join(beside, base), path)
-    except OSError as error:
-        raise ToolError(f"cannot write {path}: {error.strerror or error}",
-                        FaultCode.FILE_IO) from error
+        os.replace(os.path.join(beside, base), path)
 
 
 def _read(path):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """.FCStd and .med: the endings that need FreeCAD's modules."""
 import os
+import zipfile
 
 from hexcon import freecad_compat
 from hexcon.errors import FaultCode, ToolError
@@ -31,25 +32,39 @@ def write_fcstd(path, elements, solid=None, name="HexMesh"):
             solid_object.Shape = _shape(solid)
         insert(doc, femmesh, solid_object, name, elements.topological)
         doc.recompute()
-        doc.saveCopy(path)
+        _by_freecad(doc.saveCopy, path)
     finally:
         app.closeDocument(doc.Name)
         if active is not None:
             app.setActiveDocument(active.Name)
-    _written(path)
+    _complete(path)
 
 
 def write_med(path, elements):
     """MED with groups, through FreeCAD's FemMesh (SMESH)."""
     from hexcon.femmesh.convert import femmesh_of_elements
-    femmesh_of_elements(elements).write(path)
-    _written(path)
+    _by_freecad(femmesh_of_elements(elements).write, path)
 
 
-def _written(path):
-    # FreeCAD reports some failures on the console only
+def _by_freecad(write, path):
+    """write(path), whatever FreeCAD raises as an OSError; it reports some failures on the console only."""
+    try:
+        write(path)
+    except Exception as error:  # a class of FreeCAD's own; its words are MED's C++ calls
+        raise OSError(f"FreeCAD could not write it: {error}") from error
     if not os.path.exists(path) or not os.path.getsize(path):
-        raise ToolError(f"FreeCAD wrote nothing to {path}", FaultCode.TOOL_FAILED)
+        raise OSError("FreeCAD wrote nothing")
+
+
+def _complete(path):
+    """Raise OSError unless all of a document was written: on a full disk FreeCAD (0.20) says nothing."""
+    try:
+        with zipfile.ZipFile(path) as document:
+            whole = document.testzip() is None
+    except zipfile.BadZipFile:
+        whole = False
+    if not whole:
+        raise OSError("FreeCAD wrote only a part of it")
 
 
 def read_med(path):

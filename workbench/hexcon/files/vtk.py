@@ -60,10 +60,14 @@ def _grid(elements, point_data, cell_data, integer=np.int64):
 
 
 def _write(writer, path, grid):
-    writer.SetFileName(path)
+    """Through memory: where a disk is full VTK 9 ends the whole process (free(): invalid pointer)."""
+    writer.WriteToOutputStringOn()
     writer.SetInputData(grid)
     if writer.Write() != 1:
         raise OSError(f"VTK could not write it (error {writer.GetErrorCode()})")
+    with open(path, "wb") as stream:
+        said = writer.GetOutputStdString() if hasattr(writer, "GetOutputStdString") else writer.GetOutputString()
+        stream.write(said if isinstance(said, bytes) else said.encode())  # VTK decodes what happens to be UTF-8
 
 
 def write_vtu(path, elements, point_data=None, cell_data=None):

@@ -5,11 +5,11 @@ import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 
 import numpy as np
 
 import hexcon_native
+from hexcon import disk
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.elements import elements_of
 from hexcon.files import replace_file
@@ -46,9 +46,10 @@ def draw(program, job, path, timeout=300):
 
     Raises ToolError: TOOL_MISSING, TOOL_FAILED, TOOL_TIMEOUT, FILE_IO.
     """
-    with tempfile.TemporaryDirectory(prefix="hexcon-picture-") as folder:
+    with disk.working_folder("hexcon-picture-") as folder:
         arrays = os.path.join(folder, "scene.npz")
-        np.savez(arrays, **job)
+        with disk.naming(folder, f"work in {folder}"):
+            np.savez(arrays, **job)
         replace_file(path, lambda beside: _draw(program, arrays, beside, timeout))
 
 

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What went wrong with a disk, in words; above all that it is full.
+
+Programs that write for us (gmsh, CalculiX, VTK, FreeCAD) report a full disk badly or not at all,
+so after a fault of theirs the disk itself is asked.
+"""
+import errno
+import os
+import shutil
+import tempfile
+from contextlib import contextmanager
+
+from .errors import FaultCode, HexconError, ToolError
+
+FULL = (errno.ENOSPC, errno.EDQUOT)
+NO_SPACE = "no space left on the disk of {}; free some and try again"
+LEAST = 65536  # bytes: with less left, a fault that says nothing is put down to the disk
+
+
+def is_full(folder):
+    """Whether next to nothing can be written into the folder."""
+    try:
+        return shutil.disk_usage(folder).free < LEAST
+    except OSError:
+        return False
+
+
+def reason(error, folder):
+    """Why an OSError was raised while something was written into the folder."""
+    if error.errno in FULL or is_full(folder):
+        return NO_SPACE.format(folder)
+    return error.strerror or str(error)
+
+
+@contextmanager
+def naming(folder, what):
+    """Inside, OSError, and on a full disk whatever a program led to, become ToolError(FILE_IO):
+    "cannot <what>: why"."""
+    try:
+        yield
+    except HexconError as fault:
+        if fault.code is not FaultCode.TOOL_FAILED or not is_full(folder):
+            raise
+        raise ToolError(f"cannot {what}: {NO_SPACE.format(folder)} ({fault})", FaultCode.FILE_IO) from fault
+    except OSError as error:
+        raise ToolError(f"cannot {what}: {reason(error, folder)}", FaultCode.FILE_IO) from error
+    except Exception as error:  # half a file was read, or a program's own class of fault
+        if not is_full(folder):
+            raise
+        raise ToolError(f"cannot {what}: {NO_SPACE.format(folder)}", FaultCode.FILE_IO) from error
+
+
+def new_folder(prefix):
+    """A temporary folder, to be removed by the caller. Raises ToolError(FILE_IO)."""
+    # gettempdir tries to write: on a full disk it finds no folder at all
+    with naming(tempfile.tempdir or os.environ.get("TMPDIR") or "/tmp", "make a temporary folder"):
+        return tempfile.mkdtemp(prefix=prefix)
+
+
+@contextmanager
+def working_folder(prefix):
+    """A temporary folder that is gone afterwards; faults while it is made are named."""
+    folder = new_folder(prefix)
+    try:
+        yield folder
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
