@@ -196,6 +196,32 @@ def a_missing_ccx_is_named(doc):
     assert len(doc.Objects) == before
     result = actions.load_and_solve(doc.HexMesh, ["Face1"], {"Face2": (0, 0, -100.0)})
     assert result.max_displacement > 0
+    return result.document_object
+
+
+def results_of_an_older_mesh_say_so(doc, solved):
+    """The length changes, comes back, and changes again in a step that is undone; then it is solved anew."""
+    from hexcon.gui import actions
+    from hexcon.objects.old_results import SUFFIX
+    shown, doc.UndoMode = solved.Mesh, 1  # off in a document that was opened without a window
+
+    def lengthen(length):
+        doc.openTransaction("Length")
+        doc.Box.Length = length
+        doc.recompute()
+        doc.commitTransaction()
+        return [thing.Label.count(SUFFIX) for thing in (solved, shown)]
+    labels, hexes = [solved.Label, shown.Label], doc.HexMesh.Hexes
+    assert lengthen(30) == [1, 1] and doc.HexMesh.Hexes > hexes and solved.OfHexMesh
+    assert lengthen(40) == [1, 1]
+    assert lengthen(10) == [0, 0] and [solved.Label, shown.Label] == labels and doc.HexMesh.Hexes == hexes
+    assert lengthen(20) == [1, 1]
+    doc.undo()
+    assert [solved.Label, shown.Label] == labels and doc.HexMesh.Hexes == hexes
+    assert lengthen(20) == [1, 1]
+    again = actions.load_and_solve(doc.HexMesh, ["Face1"], {"Face2": (0, 0, -100.0)}).document_object
+    assert SUFFIX not in again.Label and SUFFIX in solved.Label
+    assert lengthen(10) and SUFFIX in again.Label
 
 
 def examples_open():
@@ -214,7 +240,7 @@ def main():
         step(doc)
     doc = survives_save_and_load(doc)
     an_analysis_is_made_once(doc)
-    a_missing_ccx_is_named(doc)
+    results_of_an_older_mesh_say_so(doc, a_missing_ccx_is_named(doc))
     outlives_its_solid(doc)
     examples_open()
 

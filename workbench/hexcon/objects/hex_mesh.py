@@ -8,6 +8,7 @@ from hexcon.meshing import mesh_quad_surface
 from hexcon.topological import is_topological, refuse_topological_method
 from hexcon_native import METHODS
 
+from . import old_results
 from .parametric import FAILED, OUTDATED, Parametric, fingerprint, is_a, new_mesh_object, set_changed
 from .quad_surface import TIMEOUT, is_quad_surface, surface_of
 
@@ -69,6 +70,12 @@ class HexMeshObject(Parametric):
         if not is_quad_surface(obj.Surface):
             raise ToolError(f"{obj.Surface.Label} is no quad surface", FaultCode.BAD_SHAPE)
         return job_of(obj.Surface, obj.Method, obj.Layers, int(obj.Order), obj.Budget, obj.AllowTopological)
+
+    def take(self, obj, result, mark):
+        before = obj.MadeFrom
+        super().take(obj, result, mark)
+        if before not in ("", mark):
+            old_results.mark(obj, before, mark)
 
     def store(self, obj, result):
         femmesh = to_femmesh(result, allow_topological=obj.AllowTopological)
