@@ -13,6 +13,7 @@ class HexConWorkbench(FreeCADGui.Workbench):
     def __init__(self):
         import importlib.util
         import os
+        import sys
 
         from FreeCAD import Qt
 
@@ -25,8 +26,8 @@ class HexConWorkbench(FreeCADGui.Workbench):
         # By its path: to import the package hexcon needs the native core, and without it the
         # commands have to be there to tell what is missing.
         spec = importlib.util.spec_from_file_location(
-            "hexcon_gui_commands", os.path.join(package, "gui", "commands.py"))
-        self._commands = importlib.util.module_from_spec(spec)
+            "hexcon_gui_commands", os.path.join(package, "gui", "commands", "__init__.py"))
+        self._commands = sys.modules[spec.name] = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(self._commands)
         self._commands.join_freecad()
 

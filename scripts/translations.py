@@ -5,6 +5,7 @@ python3 scripts/translations.py [--check]; --check changes nothing and fails if 
 Texts are the string literals in translate(context, text) and QT_TRANSLATE_NOOP(context, text).
 """
 import ast
+import glob
 import os
 import sys
 from xml.sax.saxutils import escape
@@ -18,9 +19,8 @@ def sources():
     """The Python files that hold texts, in a fixed order."""
     yield os.path.join(ROOT, "InitGui.py")
     folder = os.path.join(ROOT, "workbench", "hexcon", "gui")
-    for name in sorted(os.listdir(folder)):
-        if name.endswith(".py"):
-            yield os.path.join(folder, name)
+    paths = glob.glob(os.path.join(folder, "**", "*.py"), recursive=True)
+    yield from sorted(paths, key=lambda path: os.path.relpath(path, folder).split(os.sep))
 
 
 def texts_of(path):

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panel of "Certify hex mesh"."""
-import os
-
 import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
 from hexcon_native import HexconError
 
-from . import actions, words
-from .commands import ROOT
+from . import words
+from .checking import check_mesh, mark_hexes, read_mesh_object
+from .icons import icon_path
 from .panel import Panel, hourglass
+from .prepared import prepared
 
 translate = FreeCAD.Qt.translate
 
@@ -21,16 +21,15 @@ class CheckPanel(Panel):
     failed = FreeCAD.Qt.QT_TRANSLATE_NOOP("HexCon", "Not checked")
 
     def __init__(self, mesh_object):
-        super().__init__(mesh_object, translate("HexCon", "Certify hex mesh"),
-                         os.path.join(ROOT, "resources", "icons", "HexCon_Check.svg"))
+        super().__init__(mesh_object, translate("HexCon", "Certify hex mesh"), icon_path("HexCon_Check"))
         self._nonpositive = []
         try:
             with hourglass():
-                found = actions.read_mesh_object(mesh_object)
+                found = read_mesh_object(mesh_object)
         except HexconError as fault:
             self.show_fault(fault)
         else:
-            self.begin(lambda progress: actions.check_mesh(found, progress))
+            self.begin(lambda progress: check_mesh(found, progress))
 
     def fill(self, layout):
         self.name = QtGui.QLabel(self.about().Label)
@@ -46,12 +45,12 @@ class CheckPanel(Panel):
         """Colour the hexes, or take the colour away."""
         mesh_object = self.about()
         if mesh_object is not None:
-            actions.mark_hexes(mesh_object, self._nonpositive if wanted else [])
+            mark_hexes(mesh_object, self._nonpositive if wanted else [])
 
     def succeed(self, result):
         """Record the call, show what it says."""
         FreeCADGui.addModule("hexcon.gui.actions")
-        with actions.prepared(result):
+        with prepared(result):
             FreeCADGui.doCommand(
                 f"print(hexcon.gui.actions.check_mesh_object({self.reference()}))")
         if result.nonpositive:

@@ -8,6 +8,7 @@ from hexcon_native import HexconError
 
 from . import actions
 from .panel import Panel, hourglass
+from .prepared import prepared
 
 
 class DrawingPanel(Panel):
@@ -43,11 +44,11 @@ class DrawingPanel(Panel):
         else:
             self.begin(lambda progress: work())
 
-    def perform(self, action, prepared=None, **options):
+    def perform(self, action, result=None, **options):
         """An action of hexcon.gui.actions on the object, recorded."""
         words = "".join(f", {name}={value!r}" for name, value in options.items())
         FreeCADGui.addModule("hexcon.gui.actions")
-        with actions.prepared(prepared):
+        with prepared(result):
             FreeCADGui.doCommandGui(f"hexcon.gui.actions.{action}({self.reference()}{words})")
 
     def close(self):

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panel of a hex mesh: fill a quad surface, or fill it anew in another way."""
-import os
-
 import FreeCAD
 import FreeCADGui
 from PySide import QtGui
@@ -12,10 +10,11 @@ from hexcon_native import HexconError
 
 from hexcon import preferences
 
-from . import actions, words
-from .commands import ROOT
+from . import words
 from .filling import Filling, guess, written
+from .icons import icon_path
 from .panel import Panel, hourglass
+from .prepared import prepared
 
 translate = FreeCAD.Qt.translate
 
@@ -29,7 +28,7 @@ class HexMeshPanel(Panel):
         self.edited = hex_mesh.is_hex_mesh(about)
         self.surface = about.Surface if self.edited else about
         super().__init__(about, translate("HexCon", "Hex mesh"),
-                         os.path.join(ROOT, "resources", "icons", "HexCon_HexMesh.svg"))
+                         icon_path("HexCon_HexMesh"))
         self._estimate()
 
     def fill(self, layout):
@@ -88,7 +87,7 @@ class HexMeshPanel(Panel):
             said += "" if self._used["budget"] else ", budget=0.0"
         call = "update_hex_mesh" if self.edited else "make_hex_mesh"
         FreeCADGui.addModule("hexcon.gui.actions")
-        with hourglass(), actions.prepared(result):
+        with hourglass(), prepared(result):
             FreeCADGui.doCommand(f"hexcon.gui.actions.{call}({self.reference()}, {said})")
         if not self.edited:
             self.select_newest()

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panel of "Inspect hex mesh"."""
 import math
-import os
-
 import FreeCAD
 import numpy as np
 from PySide import QtCore, QtGui
@@ -13,11 +11,11 @@ from hexcon.inspection.figures import worst
 from hexcon.inspection.opening import InspectedMesh
 from hexcon.pictures.palette import quality_colours
 
-from . import actions, inside, words
+from . import inside, looking, words
 from .camera import line_of_sight
-from .commands import ROOT
 from .drawing_panel import DrawingPanel, choice_table, fill_table
 from .histogram import Histogram
+from .icons import icon_path
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -36,7 +34,7 @@ class InspectPanel(DrawingPanel):
     def __init__(self, mesh_object):
         self._mesh = None
         super().__init__(mesh_object, translate("HexCon", "Inspect hex mesh"),
-                         os.path.join(ROOT, "resources", "icons", "HexCon_Inspect.svg"))
+                         icon_path("HexCon_Inspect"))
 
     # ---------------------------------------------------------------------------------- the widgets
 
@@ -190,7 +188,7 @@ class InspectPanel(DrawingPanel):
         low, high = self._reach()
         self._quietly(self.offset.setValue, low + (high - low) * step / STEPS)
         if self.slider.isSliderDown():
-            actions.show_inside(self.about(), **self._settings())
+            looking.show_inside(self.about(), **self._settings())
             self._say()
         else:
             self.draw()

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panel "Hold, load and solve": two clicks on faces, and the displacements."""
-import os
-
 import FreeCAD
 import FreeCADGui
 from PySide import QtGui
@@ -10,8 +8,8 @@ from hexcon import freecad_compat
 from hexcon.errors import FaultCode, ToolError
 
 from . import recording
-from .commands import ROOT
 from .filling import narrow_box
+from .icons import icon_path
 from .panel import Panel
 from .work import in_words
 
@@ -29,7 +27,7 @@ class LoadPanel(Panel):
         self.solid = freecad_compat.solid_of_mesh_object(mesh_object)
         self.faces, self.solved = {"held": [], "loaded": []}, False
         super().__init__(mesh_object, translate("HexCon", "Hold, load and solve"),
-                         os.path.join(ROOT, "resources", "icons", "HexCon_Solve.svg"))
+                         icon_path("HexCon_Solve"))
         if self.solid is None:
             self.solve.setEnabled(False)
             self.result.setText(translate("HexCon", "This mesh has no solid whose faces could be clicked."))

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panel of "Show dual loops"."""
-import os
-
 import FreeCAD
 from PySide import QtGui
 
@@ -11,8 +9,8 @@ from hexcon.quads.documents import surface_from_object
 from hexcon_native import HexconError
 
 from . import words
-from .commands import ROOT
 from .drawing_panel import DrawingPanel, choice_table, fill_table
+from .icons import icon_path
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -29,7 +27,7 @@ class LoopsPanel(DrawingPanel):
     def __init__(self, mesh_object):
         self._looped, self._listed = None, []
         super().__init__(mesh_object, translate("HexCon", "Show dual loops"),
-                         os.path.join(ROOT, "resources", "icons", "HexCon_Loops.svg"))
+                         icon_path("HexCon_Loops"))
 
     def fill(self, layout):
         self.controls = QtGui.QWidget()

@@ -1,21 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panel of "Hex mesh from solid"."""
-import os
-
 import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
 from hexcon.errors import FaultCode, ToolError
 from hexcon.meshing import mesh_solid
+from hexcon.objects.parametric import solid_shape
+from hexcon.objects.quad_surface import TIMEOUT
 from hexcon.topological import is_topological
 
 from hexcon import preferences
 
-from . import actions, words
-from .commands import ROOT
+from . import words
 from .filling import Filling, choose, guess, written
+from .icons import icon_path
+from .making_quads import default_size
 from .panel import Panel, hourglass
+from .prepared import prepared
 from .sizing import method_box, size_box
 
 translate = FreeCAD.Qt.translate
@@ -30,14 +32,14 @@ class MeshPanel(Panel):
     def __init__(self, solid):
         self._shape = solid.Shape
         super().__init__(solid, translate("HexCon", "Hex mesh from solid"),
-                         os.path.join(ROOT, "resources", "icons", "HexCon_MeshSolid.svg"))
+                         icon_path("HexCon_MeshSolid"))
         self._estimate()
 
     def fill(self, layout):
         rows = QtGui.QFormLayout()
         rows.setHorizontalSpacing(4)
         rows.addRow(translate("HexCon", "Solid"), QtGui.QLabel(self.about().Label))
-        self.size = size_box(actions.default_size(self._shape), self._estimate)
+        self.size = size_box(default_size(self._shape), self._estimate)
         self.expected = QtGui.QLabel()
         self.expected.setWordWrap(True)
         self.surface_method = method_box()
@@ -81,12 +83,12 @@ class MeshPanel(Panel):
         solid = self.about()
         try:
             self.filling.refuse_topological()
-            shape = actions.solid_shape(solid)
+            shape = solid_shape(solid)
         except ToolError as fault:
             self.show_fault(fault)
             return
         self._shape = solid.Shape
-        options = dict(self._used, timeout=actions.TIMEOUT, threads=preferences.value("Threads"))
+        options = dict(self._used, timeout=TIMEOUT, threads=preferences.value("Threads"))
         self.begin(lambda progress: mesh_solid(shape, progress=progress, **options))
 
     def _set_running(self, running):
@@ -104,7 +106,7 @@ class MeshPanel(Panel):
                 FaultCode.BAD_SHAPE)
         used = self._used
         FreeCADGui.addModule("hexcon.gui.actions")
-        with hourglass(), actions.prepared(result):
+        with hourglass(), prepared(result):
             FreeCADGui.doCommand(
                 f"hexcon.gui.actions.mesh_solid_object({self.reference()}, {used['size']!r}, "
                 f"surface_method={used['surface_method']!r}, {written(used, self._allowed)})")

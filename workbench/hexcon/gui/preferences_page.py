@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""HexCon's page in FreeCAD's preferences. InitGui.py registers it by way of commands.py."""
+"""HexCon's page in FreeCAD's preferences. InitGui.py registers it by way of the folder commands."""
 from html import escape
 
 import FreeCAD

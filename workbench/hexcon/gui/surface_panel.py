@@ -11,10 +11,12 @@ from hexcon_native import HexconError
 
 from hexcon import preferences
 
-from . import actions, words
-from .commands import ROOT
+from . import words
 from .filling import choose
+from .icons import icon_path
+from .making_quads import default_size
 from .panel import Panel, hourglass
+from .prepared import prepared
 from .sizing import method_box, size_box
 
 translate = FreeCAD.Qt.translate
@@ -30,7 +32,7 @@ class SurfacePanel(Panel):
         self.source = about.Source if self.edited else about
         self._made = self._used = None
         super().__init__(about, translate("HexCon", "Quad surface"),
-                         os.path.join(ROOT, "resources", "icons", "HexCon_QuadSurface.svg"))
+                         icon_path("HexCon_QuadSurface"))
 
     def fill(self, layout):
         rows = QtGui.QFormLayout()
@@ -38,7 +40,7 @@ class SurfacePanel(Panel):
         about = self.about()
         solid = hasattr(self.source, "Shape")
         rows.addRow(translate("HexCon", "From"), QtGui.QLabel(_origin(about, self.source)))
-        size = about.Size.Value if self.edited else actions.default_size(about.Shape) if solid else 1.0
+        size = about.Size.Value if self.edited else default_size(about.Shape) if solid else 1.0
         self.size, self.method = size_box(size, self._outdated), method_box()
         choose(self.method, about.Method if self.edited else preferences.value("SurfaceMethod"))
         self.method.currentIndexChanged.connect(self._outdated)
@@ -127,7 +129,7 @@ class SurfacePanel(Panel):
         FreeCADGui.addModule("hexcon.gui.actions")
         call = "update_quad_surface" if self.edited else "make_quad_surface"
         self.overlay.hide()
-        with hourglass(), actions.prepared(surface):
+        with hourglass(), prepared(surface):
             FreeCADGui.doCommand(f"hexcon.gui.actions.{call}({self.reference()}{said})")
         if not self.edited:
             self.select_newest()

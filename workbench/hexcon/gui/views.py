@@ -3,12 +3,10 @@
 
 Saved documents name these classes: never rename or move them.
 """
-import os
-
 import FreeCADGui
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))))
-ICONS = os.path.join(ROOT, "resources", "icons")
+from .icons import icon_path
+
 
 
 class _View:
@@ -27,7 +25,7 @@ class _View:
         obj = getattr(self, "object", None)
         status = getattr(obj, "Status", "Up to date") if obj is not None else "Up to date"
         kind = "" if status == "Up to date" else "_fault"
-        return os.path.join(ICONS, f"{self.icon}{kind}.svg")
+        return icon_path(self.icon + kind)
 
     def updateData(self, obj, name):
         if name == "Status" and getattr(obj, "ViewObject", None) is not None:

@@ -26,10 +26,10 @@ def job_of(mesh_object):
 
     Raises ToolError(BAD_MESH) for a mesh of other elements.
     """
-    from hexcon.gui import actions  # which makes reports: not at the top
-    found = actions.read_mesh_object(mesh_object)
+    from hexcon.gui import checking  # needs FreeCAD: not at the top
+    found = checking.read_mesh_object(mesh_object)
     mark = fingerprint(found.points, found.hexes, found.topological)
-    return mark, lambda progress: (actions.check_mesh(found, progress), np.asarray(found.hex_ids))
+    return mark, lambda progress: (checking.check_mesh(found, progress), np.asarray(found.hex_ids))
 
 
 class QualityReportObject(Parametric):

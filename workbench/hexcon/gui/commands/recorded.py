@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The commands without a panel: each is one call that the macro recorder keeps."""
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from .message import show_message
+from .missing_core import core_is_there
+from .selection import selected_hex_mesh
+from .with_panel import PanelCommand
+
+translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+
+def run_recorded(call, arguments):
+    """One call of hexcon.gui.actions, kept by the macro recorder; its fault told in words."""
+    from hexcon.gui import recording, work
+    QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+    try:
+        recording.run(call, arguments)
+    except Exception as error:
+        fault = str(work.in_words(error))
+    else:
+        return
+    finally:
+        QtGui.QApplication.restoreOverrideCursor()
+    FreeCAD.Console.PrintError(f"HexCon: {fault}\n")
+    show_message("HexConFault", fault)
+
+
+class CallCommand(PanelCommand):
+    """A command without a panel: one recorded call about the selected object."""
+
+    call = ""  # a name in hexcon.gui.actions
+
+    def Activated(self):
+        if core_is_there():
+            thing = self.selected()
+            run_recorded(self.call, f"FreeCAD.ActiveDocument.getObject({thing.Name!r})")
+
+
+class Quality(CallCommand):
+    """Makes a quality report about the selected mesh."""
+
+    name, call, icon = "HexCon_Quality", "make_quality_report", "HexCon_Quality.svg"
+    menu_text = QT_TRANSLATE_NOOP("HexCon_Quality", "Quality report")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "HexCon_Quality", "An object with the least, 5 % and mean scaled Jacobian of the selected FEM "
+        "mesh, its worst elements and its certificate; it follows the mesh")
+    selected = staticmethod(selected_hex_mesh)
+
+
+class IntoAnalysis(CallCommand):
+    """Puts the selected mesh into an analysis."""
+
+    name, call, icon = "HexCon_IntoAnalysis", "into_analysis", "HexCon_IntoAnalysis.svg"
+    menu_text = QT_TRANSLATE_NOOP("HexCon_IntoAnalysis", "Into analysis")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "HexCon_IntoAnalysis", "Put the selected hex mesh into the active analysis of the FEM workbench, "
+        "or make one with a CalculiX solver, steel, and constraints to fill in")
+    selected = staticmethod(selected_hex_mesh)
+
+
+class Import(PanelCommand):
+    """Reads quads from a file."""
+
+    name, icon = "HexCon_Import", "HexCon_Import.svg"
+    menu_text = QT_TRANSLATE_NOOP("HexCon_Import", "Import quad surface")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "HexCon_Import", "Read the quads of a mesh file: .msh .inp .unv .vtk .vtu .obj .mesh")
+
+    def IsActive(self):
+        return not FreeCADGui.Control.activeDialog()
+
+    def Activated(self):
+        if core_is_there():
+            from hexcon.quads.files import MESH_ENDINGS
+            endings = " ".join(f"*{ending}" for ending in MESH_ENDINGS)
+            path, _ = QtGui.QFileDialog.getOpenFileName(
+                FreeCADGui.getMainWindow(), translate("HexCon", self.menu_text), "",
+                translate("HexCon", "Meshes ({endings})").format(endings=endings))
+            if path:
+                run_recorded("import_quad_surface", repr(path))

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The commands in FreeCAD: its toolbars and menus, the FEM workbench, the preferences."""
+import os
+
+import FreeCAD
+import FreeCADGui
+
+from .examples import EXAMPLES, Examples
+from .place import ROOT
+from .preferences import PreferencesPage
+from .recorded import Import, IntoAnalysis, Quality
+from .with_panel import Check, HexMesh, Inspect, Loops, MeshSolid, QuadSurface, Solve
+
+COMMANDS = (Examples(), QuadSurface(), Import(), HexMesh(), MeshSolid(), Check(), Inspect(), Loops(),
+            Quality(), IntoAnalysis(), Solve())
+NAMES = [command.name for command in COMMANDS]
+_registered = []
+
+
+def register():
+    """Make the commands known to FreeCAD, once; returns their names."""
+    # FreeCAD takes the file that calls addCommand for a module, and writes "import <its name>"
+    # into every macro that runs the command: "import commands" would be there for nobody
+    add = compile("add(command.name, command)", os.path.join(ROOT, "workbench", "hexcon"), "exec")
+    for command in () if _registered else EXAMPLES + COMMANDS:
+        exec(add, {"add": FreeCADGui.addCommand, "command": command})
+        _registered.append(command.name)
+    return NAMES
+
+
+def add_menu_to_fem(workbench):
+    """HexCon's menu in FreeCAD's FEM workbench, each time that is shown.
+
+    FreeCAD 0.20 has no call for this (addWorkbenchManipulator came later), and makes its menus
+    anew with every change of the workbench.
+    """
+    bar = FreeCADGui.getMainWindow().menuBar()
+    for action in bar.actions():
+        if action.objectName() == "HexConInFem":
+            bar.removeAction(action)
+    group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/HexCon")
+    if workbench != "FemWorkbench" or not group.GetBool("FemMenu", True):
+        return
+    register()
+    menu = bar.addMenu("HexCon")
+    menu.menuAction().setObjectName("HexConInFem")
+    for name in NAMES:
+        menu.addActions(FreeCADGui.Command.get(name).getAction()[:1])
+
+
+def join_freecad():
+    """At FreeCAD's start: the preferences page, and the menu in the FEM workbench."""
+    FreeCADGui.addIconPath(os.path.join(ROOT, "resources", "icons"))
+    FreeCADGui.addLanguagePath(os.path.join(ROOT, "resources", "translations"))
+    FreeCADGui.addPreferencePage(PreferencesPage, "HexCon")
+    window = FreeCADGui.getMainWindow()
+    window.workbenchActivated.connect(add_menu_to_fem)
