@@ -337,7 +337,9 @@ class Mesh:
     topological  its method is one of TOPOLOGICAL_METHODS: conforming, but for no solver
     certificate  Certificate; None if certify was False
     quality      Quality; None if it was left out
-    report       dict of figures: counts, "seconds <stage>", quality; "log": list of what was tried
+    report       dict of figures: counts, "seconds <stage>", quality; "log": list of what was tried;
+                 "hexes of <stage>" count those that each stage put in (boundary layers, cells, ...);
+                 in hexes they lie one after the other, from outside to inside
     """
 
     def __init__(self, facts):

@@ -444,7 +444,9 @@ const hexcon_certificate *hexcon_mesh_certificate(const hexcon_mesh *mesh);
 /** Scaled Jacobian of every hex [hex_count]; NULL where it was left out */
 const double *hexcon_mesh_quality(const hexcon_mesh *mesh);
 
-/** A figure of the report: counts, seconds per stage ("seconds <stage>"), quality. */
+/** A figure of the report: counts, seconds per stage ("seconds <stage>"), quality. "hexes of
+ * <stage>" tell the stages that put hexes in, which lie one after the other, from outside to
+ * inside. */
 typedef struct hexcon_figure {
   char name[48];
   double value;

@@ -25,6 +25,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>scaled Jacobian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>HexCon cannot work yet: its native core is missing.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -193,10 +197,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>scaled Jacobian</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Not shown</source>
         <translation type="unfinished"></translation>
     </message>
@@ -234,6 +234,14 @@
     </message>
     <message>
         <source>Explode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the method put in, from outside to inside; what has no tick is taken away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stages</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -666,6 +674,26 @@
     </message>
     <message>
         <source>{count} from the boundary to the core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>boundary layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tetrahedra inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>star inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{stage}: {count}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

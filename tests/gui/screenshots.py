@@ -9,7 +9,8 @@ import subprocess
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
-from session import OUT, close_panel, find, is_idle, mesh, open_panel, run, say, select, settle, wait, words
+from session import (OUT, button, close_panel, find, is_idle, mesh, open_panel, run, say, select, settle, wait,
+                     words)
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 WIDTH, HEIGHT = 1200, 820
@@ -62,17 +63,46 @@ def a_plain_window():
     settle()
 
 
-def a_solid_becomes_a_mesh():
+def bracket():
     import Part
-    document = new_document("Bracket")
-    solid = document.addObject("Part::Feature", "Bracket")
+    solid = new_document("Bracket").addObject("Part::Feature", "Bracket")
     solid.Shape = Part.read(os.path.join(ROOT, "resources", "examples", "bracket.step"))
     select(solid)
+    return solid
+
+
+def quads_are_seen_before_they_are_made():
+    bracket()
+    open_panel("HexCon_QuadSurface")
+    find(QtGui.QAbstractSpinBox, "size").setProperty("rawValue", 6.0)
+    button("preview").click()
+    wait(is_idle, "the preview")
+    see()
+    shoot("guide-quads.png")
+    close_panel()
+
+
+def a_solid_becomes_a_mesh():
+    bracket()
     open_panel("HexCon_MeshSolid")
     mesh(5.0, order=2)
     wait(is_idle, "the bracket to be meshed")
     see()
     shoot("guide-mesh.png")
+
+
+def it_is_held_loaded_and_solved():
+    button("solve").click()
+    wait(lambda: button("run"), "the panel of loads")
+    solid = FreeCAD.ActiveDocument.Bracket
+    heights = [face.CenterOfMass.z for face in solid.Shape.Faces]
+    for kind, row in (("held", heights.index(min(heights))), ("loaded", heights.index(max(heights)))):
+        button(kind).click()
+        FreeCADGui.Selection.addSelection(solid.Document.Name, solid.Name, f"Face{row + 1}")
+    button("run").click()
+    wait(words, "CalculiX")
+    see()
+    shoot("guide-solve.png")
     close_panel()
 
 
@@ -95,6 +125,18 @@ def a_ball_is_cut_open():
     find(QtGui.QDoubleSpinBox, "offset").setValue(0.5)
     see()
     shoot("guide-cut.png")
+
+
+def its_layers_are_taken_off():
+    axis = find(QtGui.QComboBox, "axis")
+    axis.setCurrentIndex(axis.findData(None))
+    stages = find(QtGui.QListWidget, "stages")
+    stages.item(0).setCheckState(QtCore.Qt.Unchecked)
+    see()
+    shoot("guide-stages.png")
+    stages.item(0).setCheckState(QtCore.Qt.Checked)
+    axis.setCurrentIndex(axis.findData("y"))
+    find(QtGui.QDoubleSpinBox, "offset").setValue(0.5)
 
 
 def its_worst_hex_is_shown():
@@ -127,4 +169,5 @@ def dual_loops_of_schneiders():
     close_panel()
 
 
-run(a_plain_window, a_solid_becomes_a_mesh, a_ball_is_cut_open, its_worst_hex_is_shown, dual_loops_of_schneiders)
+run(a_plain_window, quads_are_seen_before_they_are_made, a_solid_becomes_a_mesh, it_is_held_loaded_and_solved,
+    a_ball_is_cut_open, its_layers_are_taken_off, its_worst_hex_is_shown, dual_loops_of_schneiders)

@@ -34,6 +34,13 @@ def image(name):
     return np.array([[QtGui.QColor(pixels.pixel(x, y)).getRgb()[:3] for x in range(400)] for y in range(300)])
 
 
+def beside_the_bar(pixels):
+    """The picture without the legend at its left."""
+    rest = pixels.copy()
+    rest[60:235, :60] = rest[60:90, :125] = 255
+    return rest
+
+
 def like(pixels, colour):
     """How many pixels have this colour's hue, in whatever light (but not next to black)."""
     length = np.linalg.norm(pixels, axis=2)
@@ -90,10 +97,29 @@ def the_panel_draws_the_mesh():
     assert state["box"].ViewObject.SwitchNode.whichChild.getValue() == -1
     seen = image("whole.png")
     # where the object was, there are its hexes
-    body, before = seen.min(axis=2) < 240, state["picture"].min(axis=2) < 240
+    body, before = (beside_the_bar(pixels).min(axis=2) < 240 for pixels in (seen, state["picture"]))
     assert body.sum() > 5000 and (body != before).mean() < 0.01
+    assert find(QtGui.QListWidget, "stages").isHidden()  # nobody knows how this mesh was made
     assert like(seen, quality_colours([1.0])[0]) > 5000
     picture("inspect_open.png")
+
+
+def a_bar_in_the_view_tells_the_colours():
+    """Whatever the camera does it is there, and it is no part of what "fit all" looks at."""
+    from hexcon.pictures.palette import quality_colours
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    fitted = view().getCamera()
+    for camera in ("Perspective", "Orthographic"):
+        view().setCameraType(camera)
+        view().viewFront()
+        bar = image(f"bar_{camera}.png")[60:235, :60]
+        for value in (0.1, 0.5, 0.9):
+            near = np.abs(bar - 255 * quality_colours([value])[0]).max(axis=2) < 14
+            rows, _ = np.nonzero(near)
+            assert len(rows) > 15 and np.ptp(rows) < 25, (camera, value)
+    view().viewIsometric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    assert view().getCamera().split("height")[1].split()[0] == fitted.split("height")[1].split()[0]
 
 
 def the_cut_moves():
@@ -216,6 +242,41 @@ def macros_do_the_same():
     actions.hide_inside(box)
     actions.hide_inside(box)  # nothing to hide is no fault
     assert scene_of(box) == state["before"]
+
+
+def stages_are_taken_off():
+    """Boundary layers, cells and what is inside of them, of a mesh that knows them."""
+    import hexcon
+    from hexcon.gui import actions, inside
+    surface = actions.open_example("octahedron")
+    mesh = actions.make_hex_mesh(surface, method="cells", layers=1)
+    layers, cells, rest = mesh.HexesOfStages
+    assert layers % surface.Quads == 0 and cells == 31 * surface.Quads and layers + cells + rest == mesh.Hexes
+    select(mesh)
+    open_panel("HexCon_Inspect")
+    wait(panel_ready, "the mesh to be shown")
+    stages = find(QtGui.QListWidget, "stages")
+    assert not stages.isHidden() and stages.count() == 3 and stages.item(0).text() == f"boundary layers: {layers}"
+    kept = lambda: int(inside.drawings.find(mesh).kept.sum())  # noqa: E731
+    for row, left in ((0, cells + rest), (1, rest)):
+        stages.item(row).setCheckState(QtCore.Qt.Unchecked)
+        assert kept() == left
+    picture("inspect_stages.png")
+    for row, left in ((2, 0), (1, cells)):
+        stages.item(row).setCheckState(QtCore.Qt.Checked if row == 1 else QtCore.Qt.Unchecked)
+        assert kept() == left
+    assert f"{cells} of {mesh.Hexes} hexes" in words(), words()
+    close_panel()
+    actions.show_inside(mesh, hidden=("layers", "cells"))
+    assert kept() == rest
+    try:
+        actions.show_inside(mesh, hidden=("walls",))
+    except hexcon.HexconError as fault:
+        assert "layers, cells, " in str(fault) and kept() == rest
+    else:
+        raise AssertionError("no such stage")
+    FreeCAD.closeDocument(mesh.Document.Name)
+    FreeCAD.setActiveDocument(state["doc"].Name)
 
 
 def marks_are_where_the_object_is():
@@ -401,8 +462,8 @@ def freecad_may_close_while_the_panel_is_open():
     wait(panel_ready, "the mesh to be shown")
 
 
-run(a_mesh_of_other_people, the_panel_draws_the_mesh, the_cut_moves, layers_are_peeled_and_hexes_stand_apart,
+run(a_mesh_of_other_people, the_panel_draws_the_mesh, a_bar_in_the_view_tells_the_colours, the_cut_moves, layers_are_peeled_and_hexes_stand_apart,
     the_worst_is_chosen, the_histogram_is_the_legend, closed_nothing_is_left, macros_do_the_same,
-    marks_are_where_the_object_is, a_changed_mesh_is_read_again, a_deleted_mesh_comes_back_as_it_was, other_elements_are_refused, loops_are_drawn,
+    stages_are_taken_off, marks_are_where_the_object_is, a_changed_mesh_is_read_again, a_deleted_mesh_comes_back_as_it_was, other_elements_are_refused, loops_are_drawn,
     a_loop_is_chosen_and_pairs_are_seen, an_odd_surface_has_no_pairs, a_hex_mesh_shows_its_boundary,
     the_panel_ends_with_its_document, freecad_may_close_while_the_panel_is_open, end=leave)

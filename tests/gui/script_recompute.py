@@ -158,6 +158,14 @@ def survives_save_and_load(doc):
     FreeCAD.closeDocument(doc.Name)
     doc = FreeCAD.openDocument(path)
     assert parts(doc) == (32, 12) and doc.QuadSurface.Notes is not None
+    assert doc.HexMesh.Stages == []
+    doc.HexMesh.Method = "cells"
+    doc.recompute()
+    assert doc.HexMesh.Stages[-2:] == ["cells", "tetrahedra"] or doc.HexMesh.Stages[-2:] == ["cells", "star"]
+    assert sum(doc.HexMesh.HexesOfStages) == doc.HexMesh.Hexes > 31 * 32
+    doc.HexMesh.Method = "auto"
+    doc.recompute()
+    assert doc.HexMesh.Stages == [] and parts(doc) == (32, 12)
     nothing_is_meshed_for_nothing(doc)
     doc.Box.Width = 10
     doc.recompute()

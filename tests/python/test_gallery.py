@@ -186,7 +186,7 @@ def test_faults(tmp_path, jobs):
 
 
 def test_command_line(capsys, tmp_path):
-    for method, count in ((), 2), (("--method", "cells"), 3):
+    for method, count in ((), 2), (("--method", "cells"), 6):  # and all stages, then each of three
         folder = tmp_path / str(count)
         assert cli.main(["example", "octahedron", "--gallery", str(folder), "--json", *method]) == 0
         told = json.loads(capsys.readouterr().out)

@@ -9,8 +9,9 @@ typedef struct filled_mesh {
   double *points, *quality;
   int32_t *hexes;
   size_t point_count, hex_count;
-  size_t rounds;   /**< of improvement so far */
-  size_t inverted; /**< hexes not proved positive */
+  size_t outer_hexes; /**< the first ones, of a stage of their own; 0: not told apart */
+  size_t rounds;      /**< of improvement so far */
+  size_t inverted;    /**< hexes not proved positive */
   double worst, mean;
 } filled_mesh;
 

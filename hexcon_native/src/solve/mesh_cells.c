@@ -231,6 +231,17 @@ static hexcon_status try_way(hexcon_context *context, cell_problem *p, const att
   return status;
 }
 
+/** As they lie in the mesh, from outside to inside. */
+static void note_stages(const cell_problem *p, const cell_filling *f, hexcon_mesh *mesh) {
+  char name[48];
+  size_t layers = f->layers * p->s->quad_count,
+         cells = p->s->quad_count / 2 * p->cells.domino->hex_count;
+  mesh_note(mesh, "hexes of layers", (double)layers);
+  mesh_note(mesh, "hexes of cells", (double)cells);
+  (void)snprintf(name, sizeof name, "hexes of %s", closure_names[f->closure]);
+  mesh_note(mesh, name, (double)(f->hex_count - layers - cells));
+}
+
 static void hand_over(const cell_problem *p, const cell_filling *f, hexcon_mesh *mesh) {
   mesh->points = f->points;
   mesh->hexes = f->hexes;
@@ -244,6 +255,7 @@ static void hand_over(const cell_problem *p, const cell_filling *f, hexcon_mesh 
   mesh_note(mesh, "layers", (double)f->layers);
   mesh_note(mesh, "cell thickness", f->thickness);
   mesh_note(mesh, "tetrahedra", (double)f->tetrahedron_count);
+  note_stages(p, f, mesh);
   mesh_note(mesh, "hexes per quad", (double)f->hex_count / (double)p->s->quad_count);
   mesh_note(mesh, "optimisation rounds", (double)f->rounds);
   mesh_note(mesh, "surface bound", p->bound);

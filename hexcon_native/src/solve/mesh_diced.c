@@ -229,6 +229,10 @@ static void hand_over(const diced_problem *p, const diced_filling *f, hexcon_mes
   mesh_note(mesh, "tetrahedra", (double)f->tetrahedron_count);
   mesh_note(mesh, "pyramids", f->block == DICED_PYRAMIDS ? (double)f->quad_count : 0);
   mesh_note(mesh, "geodes", f->block == DICED_GEODES ? (double)f->quad_count : 0);
+  size_t inside = 4 * f->tetrahedron_count;
+  mesh_note(mesh, f->block == DICED_GEODES ? "hexes of geodes" : "hexes of pyramids",
+            (double)(f->mesh.hex_count - inside));
+  mesh_note(mesh, "hexes of tetrahedra", (double)inside);
   mesh_note(mesh, "hexes per quad", (double)f->mesh.hex_count / (double)p->s->quad_count);
   mesh_note(mesh, "optimisation rounds", (double)f->mesh.rounds);
   mesh_note(mesh, "surface bound", p->bound);

@@ -216,6 +216,8 @@ static void hand_over_core(const surface *s, core_mesh *m, hexcon_mesh *mesh) {
   mesh_note(mesh, "quads removed", (double)(s->quad_count - m->core_quads));
   mesh_note(mesh, "core quads", (double)m->core_quads);
   mesh_note(mesh, "core hexes", (double)m->core_hexes);
+  mesh_note(mesh, "hexes of layers", (double)(m->mesh.hex_count - m->core_hexes));
+  mesh_note(mesh, "hexes of core", (double)m->core_hexes);
   mesh_note(mesh, "hexes per quad", (double)m->mesh.hex_count / (double)s->quad_count);
   mesh_note(mesh, "fillings tried", (double)m->attempt_count);
   mesh_note(mesh, "optimisation rounds", (double)m->mesh.rounds);

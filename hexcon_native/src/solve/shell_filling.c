@@ -85,6 +85,7 @@ static hexcon_status join(hexcon_context *context, const rotated_shell *shell, s
   memcpy(out->points, placed, 3 * shell->mesh.point_count * sizeof *placed);
   memcpy(out->points + 3 * shell->mesh.point_count, sheets->points + 3 * width,
          3 * (inside->point_count - width) * sizeof *placed);
+  out->outer_hexes = shell->mesh.hex_count;
   memcpy(out->hexes, shell->mesh.hexes, 8 * shell->mesh.hex_count * sizeof *out->hexes);
   int32_t *hexes = out->hexes + 8 * shell->mesh.hex_count;
   for (size_t i = 0; i < 8 * inside->hex_count; i++) {

@@ -7,6 +7,7 @@ from hexcon.inspection.opening import Opening
 from hexcon.pictures.palette import quality_colours
 
 from .camera import look_at
+from .colour_bar import colour_bar
 from .drawing import Drawing, Drawings
 from .nodes import Faces, edges_on_top
 
@@ -31,6 +32,7 @@ class Inside(Drawing):
         self._colours = quality_colours(mesh.scaled_jacobian)
         self.faces = Faces()
         self.add(self.faces.node)
+        self.add(colour_bar(mesh.quality.min))
         self._outline = self.element = None
         self.open(Opening())
 

@@ -9,6 +9,7 @@ from hexcon.femmesh import from_femmesh
 from hexcon.inspection.cutting import AXES
 from hexcon.inspection.figures import worst
 from hexcon.inspection.opening import InspectedMesh
+from hexcon.objects.hex_mesh import stages_of_object
 from hexcon.pictures.palette import quality_colours
 
 from . import inside, looking, words
@@ -23,6 +24,7 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 STEPS = 1000         # of the slider
 MOST_SHRUNK = 50     # per cent
 MOST_LISTED = 1000   # of the worst
+MOST_STAGES = 5      # seen at once
 
 
 class InspectPanel(DrawingPanel):
@@ -96,6 +98,13 @@ class InspectPanel(DrawingPanel):
         self.shrink.valueChanged.connect(self.draw)
         rows.addRow(translate("HexCon", "Peel"), self.peel)
         rows.addRow(translate("HexCon", "Explode"), self.shrink)
+        self.stages = QtGui.QListWidget()
+        self.stages.setObjectName("stages")
+        self.stages.setToolTip(translate("HexCon", "What the method put in, from outside to inside; what has no tick is "
+                                                   "taken away"))
+        self.stages.itemChanged.connect(self.draw)
+        self.stages_name = QtGui.QLabel(translate("HexCon", "Stages"))
+        rows.addRow(self.stages_name, self.stages)
 
     def _make_worst(self, column):
         self.count = QtGui.QSpinBox()
@@ -123,17 +132,38 @@ class InspectPanel(DrawingPanel):
 
     def job(self, mesh_object):
         found = from_femmesh(mesh_object.FemMesh)
-        return lambda: InspectedMesh(found)
+        stages = stages_of_object(mesh_object)
+        return lambda: InspectedMesh(found, stages)
 
     def succeed(self, result):
         """Draw the mesh that was read; a mesh that replaces another is opened as that was, but for the cut's place."""
         self._mesh = result
         self.controls.setEnabled(True)
         self._quietly(self.peel.setRange, 0, max(0, result.thickness - 1))
+        self._quietly(self.list_stages)
         self._range_of_cut()
         self.histogram.show_values(result.scaled_jacobian)
         self.list_worst()
         return self._draw(result)
+
+    def list_stages(self):
+        """All of them shown, but for those that were hidden of the mesh before. One alone is not worth the room."""
+        hidden = self._hidden()
+        self.stages.clear()
+        for name, hexes in self._mesh.stages:
+            item = QtGui.QListWidgetItem(words.stage_of_hexes(name, hexes))
+            item.setData(QtCore.Qt.UserRole, name)
+            item.setCheckState(QtCore.Qt.Unchecked if name in hidden else QtCore.Qt.Checked)
+            self.stages.addItem(item)
+        row = max(self.stages.sizeHintForRow(0), 1)
+        self.stages.setFixedHeight(row * min(self.stages.count(), MOST_STAGES) + 2 * self.stages.frameWidth())
+        for widget in (self.stages, self.stages_name):
+            widget.setVisible(self.stages.count() > 1)
+
+    def _hidden(self):
+        """Names of the stages without a tick."""
+        items = [self.stages.item(row) for row in range(self.stages.count())]
+        return tuple(item.data(QtCore.Qt.UserRole) for item in items if item.checkState() != QtCore.Qt.Checked)
 
     def on_count(self, *_):
         had = self._chosen()
@@ -152,7 +182,8 @@ class InspectPanel(DrawingPanel):
 
     def _quietly(self, call, *arguments):
         """The call, without any of its widgets' signals: what they would draw follows."""
-        widgets = (self.axis, self.flip, self.slider, self.offset, self.peel, self.shrink, self.worst)
+        widgets = (self.axis, self.flip, self.slider, self.offset, self.peel, self.shrink, self.worst,
+                   self.stages)
         before = [widget.blockSignals(True) for widget in widgets]
         call(*arguments)
         for widget, blocked in zip(widgets, before):
@@ -208,6 +239,8 @@ class InspectPanel(DrawingPanel):
             used["peel"] = self.peel.value()
         if self.shrink.value():
             used["shrink"] = self.shrink.value() / 100
+        if self._hidden():
+            used["hidden"] = self._hidden()
         if self._chosen() is not None:
             used["element"] = self._chosen()
         return used

@@ -9,6 +9,7 @@ from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh import from_femmesh
 from hexcon.inspection.dual_loops import LoopedSurface
 from hexcon.inspection.opening import InspectedMesh, Opening
+from hexcon.objects.hex_mesh import stages_of_object
 from hexcon.quads.documents import surface_from_object
 
 from .prepared import taken
@@ -21,22 +22,23 @@ def inspect_mesh_object(mesh_object):
     inspected.hex_ids[worst]                                                # FreeCAD's element numbers
     Raises ToolError BAD_MESH for other elements.
     """
-    return InspectedMesh(from_femmesh(mesh_object.FemMesh))
+    return InspectedMesh(from_femmesh(mesh_object.FemMesh), stages_of_object(mesh_object))
 
 
-def show_inside(mesh_object, *, axis=None, offset=None, flip=False, peel=0, shrink=0.0, element=None):
+def show_inside(mesh_object, *, axis=None, offset=None, flip=False, peel=0, shrink=0.0, hidden=(), element=None):
     """Draw the hexes of a FEM mesh object in the 3D view, coloured by scaled Jacobian, in place of its own display.
 
     axis     cut by a plane with this normal, "x", "y", "z" or a vector; hexes stay whole. None: no cut
     offset   mm from the origin to the plane along the axis; None: the middle of the mesh
     flip     take away the hexes before the plane, not those beyond it
     peel     layers of hexes to take away, from the boundary inwards
+    hidden   names of stages to take away, of inspect_mesh_object(mesh_object).stages: ("layers", "cells")
     shrink   0 to 0.9: each hex smaller by this part, so that they stand apart
     element  FreeCAD's number of a hex to outline, seen through the others
     Another call changes what is shown. Needs FreeCAD's window. Raises ToolError BAD_MESH, BAD_OPTION.
     """
     from . import inside
-    opening = Opening(axis, offset, flip, peel, shrink)
+    opening = Opening(axis, offset, flip, peel, shrink, tuple(hidden))
     known = inside.drawings.find(mesh_object)
     mesh = known.mesh if known else taken() or inspect_mesh_object(mesh_object)
     inside.show(mesh_object, mesh, opening, element)

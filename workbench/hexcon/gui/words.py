@@ -167,6 +167,21 @@ def of_opening(mesh, kept, faces):
             (translate("HexCon", "Scaled Jacobian"), _quality(mesh.quality))]
 
 
+STAGES_OF_HEXES = {
+    "layers": QT_TRANSLATE_NOOP("HexCon", "boundary layers"),
+    "cells": QT_TRANSLATE_NOOP("HexCon", "cells"),
+    "tetrahedra": QT_TRANSLATE_NOOP("HexCon", "tetrahedra inside"),
+    "star": QT_TRANSLATE_NOOP("HexCon", "star inside"),
+    "core": QT_TRANSLATE_NOOP("HexCon", "core"),
+}
+
+
+def stage_of_hexes(name, hexes):
+    """What a stage that put hexes in is called, and how many."""
+    said = translate("HexCon", STAGES_OF_HEXES[name]) if name in STAGES_OF_HEXES else name
+    return translate("HexCon", "{stage}: {count}").format(stage=said, count=count(hexes))
+
+
 def of_loops(looped):
     """Rows for a LoopedSurface."""
     facts, crossing = looped.facts, sum(len(loop.crossings) > 0 for loop in looped.loops)

@@ -11,17 +11,20 @@ from hexcon.femmesh.hexahedron import FACES
 from .cutting import AXES, behind_plane, centres_of
 from .faces import bare_faces, neighbours
 from .peeling import layers
+from .stages import ALL, stage_of_hex
 
 
 class InspectedMesh:
     """What has to be known of a hex mesh before it can be opened any way.
 
     points (P,3), hexes (H,8), hex_ids (H,) the elements' own numbers, quality hexcon_native.Quality,
-    centres (H,3), across (H,6) of faces.neighbours, layer (H,) of peeling.layers
+    centres (H,3), across (H,6) of faces.neighbours, layer (H,) of peeling.layers,
+    stages [(name, hexes)] from outside to inside, stage (H,) rows in them
     """
 
-    def __init__(self, found):
-        """found  mesh-like: .points, .hexes (H,8|20) in VTK order, .hex_ids (else: rows)."""
+    def __init__(self, found, stages=()):
+        """found   mesh-like: .points, .hexes (H,8|20) in VTK order, .hex_ids (else: rows)
+        stages  [(name, hexes)] of stages.counts_of; where they are of another mesh, or none, all hexes are one"""
         self.points = np.ascontiguousarray(found.points, float)
         self.hexes = np.ascontiguousarray(np.asarray(found.hexes)[:, :8], np.int64)
         self.hex_ids = np.asarray(getattr(found, "hex_ids", np.arange(len(self.hexes))))
@@ -29,6 +32,9 @@ class InspectedMesh:
         self.centres = centres_of(self.points, self.hexes)
         self.across = neighbours(self.hexes, len(self.points))
         self.layer = layers(self.hexes, self.across, len(self.points))
+        self.stages, self.stage = list(stages), stage_of_hex(stages, self.hex_ids)
+        if self.stage is None:
+            self.stages, self.stage = [(ALL, len(self.hexes))], np.zeros(len(self.hexes), np.int64)
 
     @property
     def scaled_jacobian(self):
@@ -39,6 +45,13 @@ class InspectedMesh:
     def thickness(self):
         """The number of layers."""
         return int(self.layer.max(initial=0))
+
+    def is_of_stage(self, name):
+        """(H,) bool. Raises ToolError BAD_OPTION if there is no such stage."""
+        names = [name for name, _ in self.stages]
+        if name not in names:
+            raise ToolError(f"the mesh has no stage {name!r}; it has {', '.join(names)}", FaultCode.BAD_OPTION)
+        return self.stage == names.index(name)
 
     def reach(self, axis):
         """(lowest, highest) offset of a centre along the axis, mm: cuts between them divide the mesh."""
@@ -74,6 +87,7 @@ class Opening:
             whose centres lie further up the axis are taken away
     flip    those further down are
     peel    layers of hexes to take away, from the boundary inwards
+    hidden  names of stages to take away, as boundary layers or cells
     shrink  0 to 0.9: each hex drawn smaller by this part, towards its centre, so that they stand apart
     """
 
@@ -82,6 +96,7 @@ class Opening:
     flip: bool = False
     peel: int = 0
     shrink: float = 0.0
+    hidden: tuple = ()
 
     def __post_init__(self):
         if self.axis is not None:
@@ -96,6 +111,8 @@ class Opening:
     def keep(self, mesh):
         """(H,) bool: the hexes of the InspectedMesh that stay, each whole."""
         kept = mesh.layer > self.peel if self.peel else np.ones(len(mesh.hexes), bool)
+        for name in self.hidden:
+            kept &= ~mesh.is_of_stage(name)
         if self.axis is not None:
             normal = normal_of(self.axis)
             offset = sum(mesh.reach(self.axis)) / 2 if self.offset is None else self.offset

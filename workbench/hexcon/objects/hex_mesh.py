@@ -4,6 +4,7 @@ from hexcon import preferences
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh import to_femmesh
 from hexcon.femmesh.document import mark_topological
+from hexcon.inspection.stages import counts_of
 from hexcon.meshing import mesh_quad_surface
 from hexcon.topological import is_topological, refuse_topological_method
 from hexcon_native import METHODS
@@ -30,6 +31,10 @@ PROPERTIES = (
     ("App::PropertyFloat", "MeanScaledJacobian", "Result", "Mean scaled Jacobian", 0.0, True),
     ("App::PropertyBool", "Certified", "Result", "Every Jacobian is proved positive, the mesh is proper and "
      "conforming, its boundary exactly the quads", False, True),
+    ("App::PropertyStringList", "Stages", "Result", "The stages that put hexes in, from outside to inside", None,
+     True),
+    ("App::PropertyIntegerList", "HexesOfStages", "Result", "How many hexes each stage put in; their numbers follow "
+     "one another", None, True),
     ("App::PropertyStringList", "Log", "Result", "What was tried", None, True),
 )
 SETTINGS = {"surface": "Surface", "method": "Method", "layers": "Layers", "order": "Order", "budget": "Budget",
@@ -81,13 +86,19 @@ class HexMeshObject(Parametric):
         femmesh = to_femmesh(result, allow_topological=obj.AllowTopological)
         obj.FemMesh = femmesh
         mark_topological(obj, is_topological(result))
-        quality, certificate = result.quality, result.certificate
+        quality, certificate, stages = result.quality, result.certificate, counts_of(result.report)
         set_changed(obj, {
             "Hexes": len(result.hexes), "MethodUsed": result.method,
             "MinimumScaledJacobian": quality.min if quality else 0.0,
             "MeanScaledJacobian": quality.mean if quality else 0.0,
             "Certified": bool(certificate and certificate.certified),
+            "Stages": [name for name, _ in stages], "HexesOfStages": [count for _, count in stages],
             "Log": [str(line) for line in result.report["log"]]})
+
+
+def stages_of_object(obj):
+    """[(name, hexes)] of a FEM mesh object; empty of one that is no parametric hex mesh."""
+    return list(zip(getattr(obj, "Stages", ()), getattr(obj, "HexesOfStages", ())))
 
 
 def is_hex_mesh(obj):

@@ -4,7 +4,6 @@
 This file decides what is seen; gallery_scene.py, a program of its own, draws it.
 """
 import os
-import re
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.hexahedron import FACES
 from hexcon.inspection.dual_loops import centres_of, dual_loops
 from hexcon.inspection.pairs import bars_of_pairs, colours_of_pairs
+from hexcon.inspection.stages import stages_of
 from hexcon.quads.surface import edges_of
 
 from . import draw, kept
@@ -25,8 +25,6 @@ BEHIND = -FRONT
 TOWARDS = FRONT * (1, 1, 0)                   # normal of the cut, the half before which is taken away
 SHRINK = 0.82                                 # hexes towards their centres, so that each is seen for itself
 
-
-_STAGE = re.compile(r"hexes of (.+)")
 
 __all__ = ["stages", "stages_of"]
 
@@ -53,22 +51,6 @@ def stages(surface, mesh, folder, *, name="surface"):
     for path, (_, job) in zip(paths, jobs):
         draw("gallery_scene.py", job, path)
     return paths
-
-
-def stages_of(mesh):
-    """[(name, slice of mesh.hexes)] of the stages that put hexes in, by "hexes of NAME" in mesh.report.
-
-    They lie one after the other. A mesh that names none is one stage, "all hexes".
-    Raises ToolError BAD_MESH if they do not add up to the mesh.
-    """
-    counts = [(found[1], int(count)) for key, count in mesh.report.items() if (found := _STAGE.fullmatch(key))]
-    if not counts:
-        return [("all hexes", slice(0, len(mesh.hexes)))]
-    ends = np.cumsum([count for _, count in counts]).tolist()
-    if ends[-1] != len(mesh.hexes):
-        raise ToolError(f"the stages have {ends[-1]} hexes in all, and the mesh {len(mesh.hexes)}: its report is not "
-                        "of these hexes", FaultCode.BAD_MESH)
-    return [(name, slice(end - count, end)) for (name, count), end in zip(counts, ends) if count]
 
 
 # ---------------------------------------------------------------------------------------- surface
