@@ -3,9 +3,11 @@
 import os
 import resource
 import signal
+import time
 
 import FreeCAD
 import FreeCADGui
+from mouse import Mouse
 from PySide import QtCore, QtGui
 from session import (OUT, button, close_panel, find, held_at, open_panel, picture, run, say, select, settle,
                      wait, words)
@@ -160,24 +162,30 @@ def a_recompute_meshes_anew_and_can_be_cancelled():
     real = quad_surface.surface_from_solid
 
     def cancelled(*given, progress, **options):
-        while True:  # until the dialog's Cancel makes it raise
+        limit = time.monotonic() + 30
+        while time.monotonic() < limit:  # until the dialog's Cancel makes it raise
             progress("mesh", 0.5)
+            time.sleep(0.01)
+        raise AssertionError("nobody cancelled")
     quad_surface.surface_from_solid = cancelled
 
-    def press():
+    def press(click):
         shown = [dialog for dialog in FreeCADGui.getMainWindow().findChildren(
             QtGui.QProgressDialog, "HexConWaiting") if dialog.isVisible()]
         if not shown:
-            QtCore.QTimer.singleShot(50, press)
+            QtCore.QTimer.singleShot(50, lambda: press(click))
             return
         picture("recompute.png")
-        shown[0].findChild(QtGui.QPushButton).click()
-    QtCore.QTimer.singleShot(50, press)
-    doc.Box.Length = 30
-    doc.recompute()
+        click(shown[0].findChild(QtGui.QPushButton))
+    # FreeCAD swallows the mouse's clicks while it recomputes: those of Qt alone would prove little
+    for length, click in ((30, Mouse().click), (40, QtGui.QPushButton.click)):
+        QtCore.QTimer.singleShot(50, lambda click=click: press(click))
+        doc.Box.Length = length
+        doc.recompute()
+        assert doc.QuadSurface.Status == "Out of date: cancelled", doc.QuadSurface.Status
+        assert doc.HexMesh.FemMesh.HexaCount == 16
     quad_surface.surface_from_solid = real
-    assert doc.QuadSurface.Status == "Out of date: cancelled", doc.QuadSurface.Status
-    assert doc.HexMesh.FemMesh.HexaCount == 16
+    doc.Box.Length = 30
     assert doc.QuadSurface.ViewObject.Proxy.getIcon().endswith("_fault.svg")
     doc.QuadSurface.touch()
     doc.recompute()
