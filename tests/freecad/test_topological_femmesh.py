@@ -111,17 +111,17 @@ def test_solving_by_override(doc, box_in, mesh):
 # --------------------------------------------------------------------- what the window's calls say
 
 def test_actions_refuse_before_the_work(doc, box_in, monkeypatch):
-    from hexcon.gui import actions
+    from hexcon.gui import actions, making_hexes
     solid = box_in(SIZE)
-    monkeypatch.setattr(actions, "mesh_solid", lambda *_, **__: pytest.fail("work was done"))
+    monkeypatch.setattr(making_hexes, "mesh_solid", lambda *_, **__: pytest.fail("work was done"))
     refused(actions.mesh_solid_object, solid, 1.0, method="geode")
     assert [o.Name for o in doc.Objects] == ["Box"]
 
 
 def test_actions_by_override(doc, box_in, mesh, monkeypatch):
-    from hexcon.gui import actions
+    from hexcon.gui import actions, making_hexes
     solid = box_in(SIZE)
-    monkeypatch.setattr(actions, "mesh_solid", lambda *_, **__: mesh)
+    monkeypatch.setattr(making_hexes, "mesh_solid", lambda *_, **__: mesh)
     made = actions.mesh_solid_object(solid, 1.0, method="geode", allow_topological=True)
     assert made.Label.endswith("(topological)")
     assert freecad_compat.solid_of_mesh_object(made) == solid
@@ -133,9 +133,9 @@ def test_actions_by_override(doc, box_in, mesh, monkeypatch):
 
 
 def test_a_mesh_that_is_topological_whatever_the_method_said(doc, box_in, mesh, monkeypatch):
-    from hexcon.gui import actions
+    from hexcon.gui import actions, making_hexes
     solid = box_in(SIZE)
-    monkeypatch.setattr(actions, "mesh_solid", lambda *_, **__: mesh)
+    monkeypatch.setattr(making_hexes, "mesh_solid", lambda *_, **__: mesh)
     refused(actions.mesh_solid_object, solid, 1.0)
     assert [o.Name for o in doc.Objects] == ["Box"]
 
