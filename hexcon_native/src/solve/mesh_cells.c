@@ -34,20 +34,16 @@ enum { STAR_QUADS = 64 };
  */
 static const double good_worst = 0.1, near_the_bound = 0.8;
 
-/** A body with holes or cavities has no centre: its Euler characteristic tells without looking. */
-static bool is_ball(const surface *s) {
-  return s->component_count == 1 && s->point_count == s->quad_count + 2;
-}
-
 /** The centre: sees all corners, or, where some are folded, at least the quads they belong to. Not
- * every body has one. */
+ * every body has one, none with holes or cavities. */
 static hexcon_status find_center(hexcon_context *context, const surface *s, double center[3],
                                  bool *found) {
   double margin = -1;
-  hexcon_status status = is_ball(s) ? surface_star_center(context, s, center, &margin) : HEXCON_OK;
+  hexcon_status status =
+      surface_is_sphere(s) ? surface_star_center(context, s, center, &margin) : HEXCON_OK;
   if (!status)
     status = surface_check_fillable(context, s, margin > 0);
-  if (!status && is_ball(s) && !(margin > 0))
+  if (!status && surface_is_sphere(s) && !(margin > 0))
     status = surface_mean_center(context, s, center, &margin);
   *found = margin > 0;
   return status;
