@@ -367,9 +367,9 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
     """Fill a closed quad surface with hexes whose boundary is exactly its quads.
 
     points, quads      as check_surface
-    method             "swept": a cap's quads times rings; "cells": any even surface of a convex or
-                       star-shaped body, 31 hexes a quad and tetrahedra inside, each cut into 4
-                       hexes; "sheets", for balls: layers of hexes, each of which takes a dual loop
+    method             "swept": a cap's quads times rings; "cells": any even surface whose points
+                       can be coloured black and white, of a star-shaped body or, given a tetrahedralise,
+                       of any: 31 hexes a quad and tetrahedra inside, each cut into 4 hexes; "sheets", for balls: layers of hexes, each of which takes a dual loop
                        away, until a cube is left: boxes, convex polyhedra with three edges a corner
                        whose faces are cut about their middles, and mixtures that are no sweep; or
                        until a core is left, which is filled as by "smallest" or "cells": then some

@@ -57,7 +57,8 @@ typedef enum hexcon_status {
   HEXCON_NOT_A_BALL,         /**< the body has holes through it, or cavities, with which the
                                   method cannot deal, or only with tetrahedra that were not found */
   HEXCON_UNFILLABLE_QUAD,    /**< elements: quads on which no positive hex can stand */
-  HEXCON_NOT_STAR_SHAPED,    /**< no point inside sees the whole surface */
+  HEXCON_NOT_STAR_SHAPED,    /**< no point inside sees the whole surface, and there are no
+                                  tetrahedra for its inside */
   HEXCON_NOT_SWEPT,          /**< elements: quads where the best attempt failed */
   HEXCON_NO_SHEETS,          /**< elements: quads of the core that no dual loop can be taken
                                   from, as far as they are the surface's */
@@ -328,7 +329,8 @@ typedef enum hexcon_method {
   HEXCON_METHOD_AUTO = 0, /**< the methods for solvers in the order of their worth, until one is
                                good; then the best certified mesh */
   HEXCON_METHOD_SWEPT,
-  HEXCON_METHOD_CELLS,    /**< any even surface of a convex or star-shaped body */
+  HEXCON_METHOD_CELLS,    /**< any even 2-colourable surface of a star-shaped body; of any body
+                               where tetrahedralise is given */
   HEXCON_METHOD_DICED,    /**< subdivided surfaces, of any genus: every edge of a coarser one of
                                triangles and quads split in two, every face cut about a centre. 4 hexes
                                for each tetrahedron inside; on each coarse quad 26, or 36 where

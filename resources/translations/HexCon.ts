@@ -109,7 +109,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How the surface is filled with hexes: swept from cap to cap, or cells, which fill any convex or star-shaped body with many more hexes; automatic sweeps where it can. Topology only: to look at; no solver must be given such a mesh</source>
+        <source>How the surface is filled with hexes: swept from cap to cap, or cells, which fill any body with many more hexes; automatic sweeps where it can. Topology only: to look at; no solver must be given such a mesh</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -79,7 +79,7 @@ class Filling:
         self.method = _choice_of_method()
         self.method.setToolTip(translate(
             "HexCon", "How the surface is filled with hexes: swept from cap to cap, or cells, which "
-            "fill any convex or star-shaped body with many more hexes; automatic sweeps where it "
+            "fill any body with many more hexes; automatic sweeps where it "
             "can. Topology only: to look at; no solver must be given such a mesh"))
         self.order = choice_of("order", words.ORDERS, words.ORDERS)
         self._make_numbers()
