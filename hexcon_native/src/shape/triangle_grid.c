@@ -5,8 +5,8 @@
 #include <string.h>
 
 void triangle_bounds(const triangle_grid *grid, size_t triangle, double bounds[6]) {
-  memcpy(bounds, triangle_corner(grid, triangle, 0), 3 * sizeof *bounds);
-  memcpy(bounds + 3, bounds, 3 * sizeof *bounds);
+  for (size_t k = 0; k < 3; k++)
+    bounds[k] = bounds[3 + k] = triangle_corner(grid, triangle, 0)[k];
   for (size_t i = 1; i < 3; i++)
     for (size_t k = 0; k < 3; k++) {
       bounds[k] = fmin(bounds[k], triangle_corner(grid, triangle, i)[k]);
@@ -39,11 +39,13 @@ static void choose_boxes(triangle_grid *grid) {
   if (!(grid->size > 0))
     grid->size = 1; /* all triangles are one point */
   memcpy(grid->low, all, sizeof grid->low);
-  for (double boxes = INFINITY; boxes > most; grid->size *= growth) {
+  double boxes;
+  do {
     boxes = 1;
+    grid->size *= growth;
     for (size_t k = 0; k < 3; k++)
-      boxes *= floor((all[3 + k] - all[k]) / (growth * grid->size)) + 1;
-  }
+      boxes *= floor((all[3 + k] - all[k]) / grid->size) + 1;
+  } while (boxes > most);
   for (size_t k = 0; k < 3; k++)
     grid->counts[k] = (size_t)floor((all[3 + k] - all[k]) / grid->size) + 1;
 }
