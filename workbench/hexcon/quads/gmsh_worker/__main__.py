@@ -9,7 +9,7 @@ from .blocks import blocks_surface
 from .fault import WorkerFault
 from .nearness import distances
 from .sweep import sweep_surface
-from .whole import whole_surface
+from .whole import triangle_surface, whole_surface
 
 MOST_QUADS = 5e6    # more is a slip of the keyboard, and would fill the memory
 # The methods whose quads invite a structured mesh, the best first: maker, its refusal, and that in words.
@@ -38,6 +38,8 @@ def _mesh(solid, job, link):
     method, size = job["method"], job["size"]
     if method in NATURAL:
         return _natural(solid, method, size, link), method, []
+    if method == "subdivided-triangles":
+        return triangle_surface(solid, size, link), method, []
     if method != "auto":
         return whole_surface(solid, size, method, link), method, []
     notes = []
@@ -50,7 +52,7 @@ def _mesh(solid, job, link):
             notes.append(f"auto: {word}: {fault}")
     # Hexes inside: 3 a quad on triangles, 10 to 22, and worse ones, where there are coarse quads.
     try:
-        return whole_surface(solid, size, "subdivided-triangles", link), "subdivided-triangles", notes
+        return triangle_surface(solid, size, link), "subdivided-triangles", notes
     except WorkerFault as fault:
         notes.append(f"auto: no subdivided triangles: {fault}")
     return whole_surface(solid, size, "subdivided", link), "subdivided", notes

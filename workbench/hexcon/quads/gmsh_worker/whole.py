@@ -4,11 +4,14 @@ import numpy as np
 
 import gmsh
 
+from .corner_room import GOOD, corner_room
 from .fault import WorkerFault
+from .local_size import LocalSize
 
 # gmsh's numbers of Mesh.Algorithm: the frontal one (6) makes the better quads, but leaves triangles at the narrow
 # corners of plane triangles whatever the size; Delaunay (5) does so less often.
 ALGORITHMS = {"blossom": (6, 5)}
+SCALES = (None, 2.0, 1.4, 1.0, 0.7)     # of the local sizes; None: without them
 FACTORS = (1.0, 0.97, 1.03, 0.94, 1.06, 0.91, 1.09, 0.88, 1.12)   # sizes tried until all quads, and even
 
 
@@ -48,19 +51,71 @@ def whole_surface(solid, size, method, link):
     raise last
 
 
+def triangle_surface(solid, size, link):
+    """As whole_surface for subdivided-triangles; where the even size leaves corners without room, smaller elements at
+    curves, short edges and narrow places, and the best of these surfaces.
+    """
+    best, last, notes = None, None, []
+    for k, scale in enumerate(SCALES):
+        link.progress("mesh", k / len(SCALES))
+        name = "the even size" if scale is None else f"sizes of curves and gaps times {scale:g}"
+        if not link.risk(f"subdivided-triangles by {name}"):
+            last = WorkerFault("TOOL_FAILED", f"gmsh crashed on {name}")
+            continue
+        local = None if scale is None else LocalSize(solid, 2.0 * size, scale)
+        try:
+            _generate(solid, size, "subdivided-triangles", 6, even=False, local=local)
+        except Exception as error:      # gmsh raises plain Exception
+            last = WorkerFault("TOOL_FAILED", f"gmsh: {error}")
+            continue
+        triangles, mesh = _collect(solid)
+        if triangles:
+            last = WorkerFault("NOT_ALL_QUAD", f"{triangles} triangles are left")
+            continue
+        room = corner_room(mesh["points"], mesh["quads"])
+        if best is None or room > best[0]:
+            best = room, mesh, local
+        if room >= GOOD:
+            break
+        notes.append(f"subdivided-triangles: {_room_words(room)} by {name}")
+    if best is None:
+        raise last
+    return _noted(*best, notes, size)
+
+
+def _room_words(room):
+    if room < -1.5:
+        return "the quads do not close"
+    if room < -0.5:
+        return "two quads have two edges in common"
+    return f"the worst corner of a quad has a sine of {room:.2f}"
+
+
+def _noted(room, mesh, local, notes, size):
+    if local is not None:
+        notes.append(f"subdivided-triangles: smaller where the solid is curved or narrow, down to {local.least / 2:.3g} "
+                     f"instead of {size:g}; the worst corner of a quad has a sine of {room:.2f}")
+    mesh["notes"] = notes + [f"subdivided-triangles: {len(mesh['quads'])} quads"]
+    return mesh
+
+
 def _reason(fault):
     return {"ODD_SURFACE": "the one before gave an odd number of quads",
             "TOOL_FAILED": "gmsh failed at the one before"}.get(fault.code, "the one before left triangles")
 
 
-def _generate(solid, size, method, algorithm, even):
+def _generate(solid, size, method, algorithm, even, local=None):
     """A new mesh of the solid's faces in the current model.
 
+    local: a LocalSize to follow, of the triangles before they are subdivided.
     even: every edge gets an even number of intervals, without which a face cannot be recombined to quads only.
     """
     gmsh.model.mesh.clear()
     subdivide = method.startswith("subdivided")
     _options(2.0 * size if subdivide else size, algorithm)
+    if local is not None:
+        gmsh.option.setNumber("Mesh.MeshSizeMin", local.least)
+        gmsh.model.mesh.setSizeCallback(local)
     for face in solid.faces:
         gmsh.model.mesh.removeConstraints([(2, face)])
     for edge in solid.edges:
@@ -74,6 +129,8 @@ def _generate(solid, size, method, algorithm, even):
         for face in solid.faces:
             gmsh.model.mesh.setRecombine(2, face)
     gmsh.model.mesh.generate(2)
+    if local is not None:
+        gmsh.model.mesh.removeSizeCallback()
     if subdivide:
         gmsh.option.setNumber("Mesh.SubdivisionAlgorithm", 1)
         gmsh.model.mesh.refine()
