@@ -129,7 +129,47 @@ def _wanted(shape, seed):
     solid = shape.Solids[0]
     hollow = seed % CAVITY_EVERY == CAVITY_EVERY - 1
     return (all(shell.isClosed() for shell in solid.Shells) and (len(solid.Shells) > 1) == hollow
-            and not _is_convex(solid))
+            and _is_manifold(solid) and not _is_convex(solid))
+
+
+def _is_manifold(solid):
+    """Every edge between two faces, and the faces round every vertex all joined by edges there: parts that touch in an
+    edge or a point only are none that could be made."""
+    faces_at_edge, links = {}, {}
+    for wire in (wire for face in solid.Faces for wire in face.Wires):
+        edges = [_Same(edge) for edge in wire.OrderedEdges if not edge.Degenerated]
+        for here, after in zip(edges, edges[1:] + edges[:1]):
+            faces_at_edge[here] = faces_at_edge.get(here, 0) + 1
+            common = {_Same(v) for v in here.shape.Vertexes} & {_Same(v) for v in after.shape.Vertexes}
+            for vertex in common:
+                links.setdefault(vertex, []).append({here, after})
+    return set(faces_at_edge.values()) == {2} and all(_joined(arcs) for arcs in links.values())
+
+
+def _joined(arcs):
+    """Whether sets are one when those with a common element are put together."""
+    arcs = list(arcs)
+    ring = arcs.pop()
+    while arcs:
+        near = [arc for arc in arcs if arc & ring]
+        if not near:
+            return False
+        arcs = [arc for arc in arcs if not arc & ring]
+        ring = ring.union(*near)
+    return True
+
+
+class _Same:
+    """A shape by what it is, whatever its orientation."""
+
+    def __init__(self, shape):
+        self.shape = shape
+
+    def __hash__(self):
+        return self.shape.hashCode()
+
+    def __eq__(self, other):
+        return self.shape.isSame(other.shape)
 
 
 def _is_convex(solid):

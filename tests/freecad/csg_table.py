@@ -71,7 +71,7 @@ def in_its_own_process(seed, options):
                 "seconds": time.monotonic() - start}
     lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
     if done.returncode or not lines:
-        return {"seed": seed, "code": "CRASH", "message": f"status {done.returncode}: {done.stderr[-500:]}",
+        return {"seed": seed, "code": "CRASH", "message": f"status {done.returncode}: {done.stderr.strip()[-300:]}",
                 "seconds": time.monotonic() - start}
     return json.loads(lines[-1])
 

@@ -9,7 +9,8 @@ from .blocks import blocks_surface
 from .fault import WorkerFault
 from .nearness import distances
 from .sweep import sweep_surface
-from .whole import triangle_surface, whole_surface
+from .triangles import triangle_surface
+from .whole import whole_surface
 
 MOST_QUADS = 5e6    # more is a slip of the keyboard, and would fill the memory
 # The methods whose quads invite a structured mesh, the best first: maker, its refusal, and that in words.

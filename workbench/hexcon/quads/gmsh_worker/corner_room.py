@@ -8,14 +8,23 @@ GOOD = 0.2      # sine of some 11.5 degrees: surfaces with less are tried again
 def corner_room(points, quads):
     """Least sine of all corners' angles, each seen along its quad's mean normal: 0 or less where no hex can stand.
 
-    -2 where the quads do not close: an edge that is not in two of them, a point twice in one; -1 where two quads have
+    -3 where the quads do not close: an edge that is not in two of them, a point twice in one; -2 where two quads have
     two edges in common. points (V,3), quads (n,4). O(n log n).
     """
     if not _closed(quads):
-        return -2.0
+        return -3.0
     if _doubled(quads):
-        return -1.0
+        return -2.0
     return float(corner_sines(points, quads).min())
+
+
+def room_words(room):
+    """A corner_room in words."""
+    if room < -2.5:
+        return "the quads do not close"
+    if room < -1.5:
+        return "two quads have two edges in common"
+    return f"the worst corner of a quad has a sine of {room:.2f}"
 
 
 def corner_sines(points, quads):

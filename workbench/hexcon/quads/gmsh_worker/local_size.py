@@ -11,7 +11,8 @@ import gmsh
 
 PER_TURN = 10       # least number of elements round a full circle
 GROWTH = 0.6       # of the size, for each unit of distance
-LEAST = 0.04        # of the wanted size: no bound goes below
+LEAST = 0.04        # of the wanted size: no bound of curves and gaps goes below
+LEAST_EDGE = 0.0005  # and none of short edges, which take few elements however short they are
 SAMPLES = 4000      # at most so many points on one edge
 
 
@@ -29,6 +30,12 @@ class LocalSize:
         self._tree = cKDTree(self._points) if low.any() else None
         self.least = float(self._bounds.min(initial=size))
 
+    def count(self, solid, edge):
+        """How many elements an edge of the solid has at these sizes."""
+        middles = (np.arange(64) + 0.5) / 64
+        sizes = [self(1, edge, *point) for point in solid.edge_points(edge, middles)]
+        return solid.length(edge) * float(np.mean(1.0 / np.array(sizes)))
+
     def __call__(self, _dim, _tag, x, y, z, *_more):
         """For gmsh's setSizeCallback."""
         if self._tree is None:
@@ -40,6 +47,7 @@ class LocalSize:
 def _bounds(solid, size, scale):
     """(points (S,3), bounds (S,)) on all edges and curved faces."""
     samples = {e: _edge_samples(solid, e, size) for e in solid.edges}
+    short = np.concatenate([np.full(len(p), solid.length(e)) for e, (p, _) in samples.items()])
     points = [p for p, _ in samples.values()]
     bounds = [b.copy() for _, b in samples.values()]
     row = dict(zip(samples, range(len(points))))
@@ -52,6 +60,7 @@ def _bounds(solid, size, scale):
             points.append(where)
             bounds.append(bound)
     bounds = np.maximum(scale * np.concatenate(bounds), LEAST * size)
+    bounds[:len(short)] = np.minimum(bounds[:len(short)], np.maximum(scale * short, LEAST_EDGE * size))
     return np.concatenate(points), bounds
 
 

@@ -1,197 +1,117 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Surface meshes of the whole solid by gmsh: subdivided, subdivided-triangles, blossom, transfinite."""
-import numpy as np
-
-import gmsh
-
-from .corner_room import GOOD, corner_room
+"""Surface meshes of the whole solid by gmsh that need luck: blossom, subdivided, transfinite."""
+from .colouring import two_colourable
+from .corner_room import corner_room, room_words
 from .fault import WorkerFault
+from .generate import collect, generate
 from .local_size import LocalSize
 
 # gmsh's numbers of Mesh.Algorithm: the frontal one (6) makes the better quads, but leaves triangles at the narrow
 # corners of plane triangles whatever the size; Delaunay (5) does so less often.
 ALGORITHMS = {"blossom": (6, 5)}
-SCALES = (None, 2.0, 1.4, 1.0, 0.7)     # of the local sizes; None: without them
-FACTORS = (1.0, 0.97, 1.03, 0.94, 1.06, 0.91, 1.09, 0.88, 1.12)   # sizes tried until all quads, and even
+FACTORS = (1.0, 0.97, 1.03, 0.94, 1.06, 0.91, 1.09, 0.88, 1.12)   # of the size, tried until all is well
+MORE_FACTORS = (0.985, 1.015, 0.955, 1.045, 0.925, 1.075, 0.895, 1.105)     # where two colours are not enough
+SCALES = (2.0, 1.4, 1.0)    # of local sizes, tried after all of these
+LEAST_ROOM = 0.05           # sine of the worst corner
 
 
 def whole_surface(solid, size, method, link):
     """dict with points (V,3), quads (n,4), faces (n,), notes.
 
-    link: a Link. Raises WorkerFault NOT_ALL_QUAD, ODD_SURFACE, NOT_TRANSFINITE, TOOL_FAILED.
+    Sizes next to the wanted one are tried until all are quads, in even number, with two colours for the points (which
+    cells need; where the surface has no handles they exist) and room at every corner; if there is none such, the
+    best of those that are quads in even number. link: a Link.
+    Raises WorkerFault NOT_ALL_QUAD, ODD_SURFACE, NOT_TRANSFINITE, TOOL_FAILED.
     """
-    notes, last = [], None
-    tries = [(k, factor, algorithm) for algorithm in ALGORITHMS.get(method, (6,)) for k, factor in enumerate(FACTORS)]
-    for done, (k, factor, algorithm) in enumerate(tries):
+    best, last = None, None
+    tries = _tries(method)
+    for done, one in enumerate(tries):
         link.progress("mesh", done / len(tries))
-        if not link.risk(f"{method} at size {size * factor:g}, algorithm {algorithm}"):
-            last = WorkerFault("TOOL_FAILED", f"gmsh crashed on {method} at every size tried from {size:g} on")
+        if one.only_for_colours and not (best and not best[0][0]):
             continue
         try:
-            _generate(solid, size * factor, method, algorithm, even=k > 0)
-        except WorkerFault:
-            raise
-        except Exception as error:      # gmsh raises plain Exception
-            last = WorkerFault("TOOL_FAILED", f"gmsh: {error}")
-            continue
-        triangles, mesh = _collect(solid)
-        if triangles:
-            last = WorkerFault("NOT_TRANSFINITE" if method == "transfinite" else "NOT_ALL_QUAD",
-                               f"{triangles} triangles are left at every size tried from {size:g} on")
-        elif len(mesh["quads"]) % 2:
-            last = WorkerFault("ODD_SURFACE", f"the number of quads is odd at every size tried from {size:g} on")
-        else:
-            if algorithm != 6:
-                notes.append(f"{method}: by gmsh's algorithm {algorithm}, because 6 found no such surface at any size "
-                             "tried")
-            if factor != 1.0:
-                notes.append(f"{method}: size {size * factor:g} instead of {size:g}, because {_reason(last)}")
-            mesh["notes"] = notes + [f"{method}: {len(mesh['quads'])} quads"]
-            return mesh
-    raise last
-
-
-def triangle_surface(solid, size, link):
-    """As whole_surface for subdivided-triangles; where the even size leaves corners without room, smaller elements at
-    curves, short edges and narrow places, and the best of these surfaces.
-    """
-    best, last, notes = None, None, []
-    for k, scale in enumerate(SCALES):
-        link.progress("mesh", k / len(SCALES))
-        name = "the even size" if scale is None else f"sizes of curves and gaps times {scale:g}"
-        if not link.risk(f"subdivided-triangles by {name}"):
-            last = WorkerFault("TOOL_FAILED", f"gmsh crashed on {name}")
-            continue
-        local = None if scale is None else LocalSize(solid, 2.0 * size, scale)
-        try:
-            _generate(solid, size, "subdivided-triangles", 6, even=False, local=local)
-        except Exception as error:      # gmsh raises plain Exception
-            last = WorkerFault("TOOL_FAILED", f"gmsh: {error}")
-            continue
-        triangles, mesh = _collect(solid)
-        if triangles:
-            last = WorkerFault("NOT_ALL_QUAD", f"{triangles} triangles are left")
+            mesh = _tried(solid, size, method, one, link)
+        except WorkerFault as fault:
+            if fault.code == "NOT_TRANSFINITE" and fault.elements:
+                raise
+            last = fault
             continue
         room = corner_room(mesh["points"], mesh["quads"])
-        if best is None or room > best[0]:
-            best = room, mesh, local
-        if room >= GOOD:
+        worth = two_colourable(mesh["quads"]), min(room, LEAST_ROOM)
+        if best is None or worth > best[0]:
+            best = worth, room, mesh, one, last
+        if worth == (True, LEAST_ROOM):
             break
-        notes.append(f"subdivided-triangles: {_room_words(room)} by {name}")
+        last = WorkerFault("ODD_SURFACE", room_words(room) if worth[0] else "two colours were not enough for its points")
     if best is None:
         raise last
-    return _noted(*best, notes, size)
+    return _noted(*best, method, size)
 
 
-def _room_words(room):
-    if room < -1.5:
-        return "the quads do not close"
-    if room < -0.5:
-        return "two quads have two edges in common"
-    return f"the worst corner of a quad has a sine of {room:.2f}"
+class _Try:
+    """One way to mesh: a factor of the size, gmsh's algorithm, edges of even count, a scale of local sizes or None."""
+
+    def __init__(self, factor, algorithm, even, scale=None, only_for_colours=False):
+        self.factor, self.algorithm, self.even, self.scale = factor, algorithm, even, scale
+        self.only_for_colours = only_for_colours
+
+    def __str__(self):
+        local = "" if self.scale is None else f", {self.scale:g} times the sizes of curves and gaps"
+        return f"factor {self.factor:g}, algorithm {self.algorithm}{local}"
 
 
-def _noted(room, mesh, local, notes, size):
-    if local is not None:
-        notes.append(f"subdivided-triangles: smaller where the solid is curved or narrow, down to {local.least / 2:.3g} "
-                     f"instead of {size:g}; the worst corner of a quad has a sine of {room:.2f}")
-    mesh["notes"] = notes + [f"subdivided-triangles: {len(mesh['quads'])} quads"]
+def _tries(method):
+    algorithms = ALGORITHMS.get(method, (6,))
+    tries = [_Try(factor, algorithm, k > 0) for algorithm in algorithms for k, factor in enumerate(FACTORS)]
+    if method == "transfinite":
+        return tries
+    tries += [_Try(factor, algorithm, True, only_for_colours=True) for algorithm in algorithms for factor in MORE_FACTORS]
+    return tries + [_Try(factor, 6, True, scale) for scale in SCALES for factor in FACTORS[:5]]
+
+
+def _tried(solid, size, method, one, link):
+    """The mesh of one try; WorkerFault where it is not all quads, or odd."""
+    if not link.risk(f"{method} by {one}"):
+        raise WorkerFault("TOOL_FAILED", f"gmsh crashed on {method} at every size tried from {size:g} on")
+    wanted = size * one.factor
+    coarse = 2.0 * wanted if method == "subdivided" else wanted
+    local = None if one.scale is None else LocalSize(solid, coarse, one.scale)
+    try:
+        generate(solid, wanted, method, one.algorithm, one.even, local)
+    except WorkerFault:
+        raise
+    except Exception as error:      # gmsh raises plain Exception
+        raise WorkerFault("TOOL_FAILED", f"gmsh: {error}") from error
+    triangles, mesh = collect(solid)
+    if triangles:
+        raise WorkerFault("NOT_TRANSFINITE" if method == "transfinite" else "NOT_ALL_QUAD",
+                          f"{triangles} triangles are left at every size tried from {size:g} on")
+    if len(mesh["quads"]) % 2:
+        raise WorkerFault("ODD_SURFACE", f"the number of quads is odd at every size tried from {size:g} on")
+    return mesh
+
+
+def _noted(worth, room, mesh, one, before, method, size):
+    """The mesh with notes about how it came to be."""
+    notes = []
+    if one.algorithm != 6:
+        notes.append(f"{method}: by gmsh's algorithm {one.algorithm}, because 6 found no such surface at any size tried")
+    if one.factor != 1.0:
+        notes.append(f"{method}: size {size * one.factor:g} instead of {size:g}, because {_reason(before)}")
+    if one.scale is not None:
+        notes.append(f"{method}: smaller where the solid is curved or narrow, because {_reason(before)}")
+    if not worth[0]:
+        notes.append(f"{method}: two colours are not enough for the points at any size tried")
+    if room < LEAST_ROOM:
+        notes.append(f"{method}: {room_words(room)} at every size tried")
+    mesh["notes"] = notes + [f"{method}: {len(mesh['quads'])} quads"]
     return mesh
 
 
 def _reason(fault):
+    if fault is None:
+        return "that is better"
+    if fault.code == "ODD_SURFACE" and not str(fault).startswith("the number"):
+        return f"at the one before {fault}"
     return {"ODD_SURFACE": "the one before gave an odd number of quads",
             "TOOL_FAILED": "gmsh failed at the one before"}.get(fault.code, "the one before left triangles")
-
-
-def _generate(solid, size, method, algorithm, even, local=None):
-    """A new mesh of the solid's faces in the current model.
-
-    local: a LocalSize to follow, of the triangles before they are subdivided.
-    even: every edge gets an even number of intervals, without which a face cannot be recombined to quads only.
-    """
-    gmsh.model.mesh.clear()
-    subdivide = method.startswith("subdivided")
-    _options(2.0 * size if subdivide else size, algorithm)
-    if local is not None:
-        gmsh.option.setNumber("Mesh.MeshSizeMin", local.least)
-        gmsh.model.mesh.setSizeCallback(local)
-    for face in solid.faces:
-        gmsh.model.mesh.removeConstraints([(2, face)])
-    for edge in solid.edges:
-        gmsh.model.mesh.removeConstraints([(1, edge)])
-    if method == "transfinite":
-        _make_transfinite(solid, size)
-    elif even and method == "blossom":
-        for edge in solid.edges:
-            gmsh.model.mesh.setTransfiniteCurve(edge, 2 * max(1, int(np.rint(solid.length(edge) / size / 2))) + 1)
-    if method != "subdivided-triangles":
-        for face in solid.faces:
-            gmsh.model.mesh.setRecombine(2, face)
-    gmsh.model.mesh.generate(2)
-    if local is not None:
-        gmsh.model.mesh.removeSizeCallback()
-    if subdivide:
-        gmsh.option.setNumber("Mesh.SubdivisionAlgorithm", 1)
-        gmsh.model.mesh.refine()
-
-
-def _options(size, algorithm):
-    for name, value in (("MeshSizeMin", size), ("MeshSizeMax", size), ("MeshSizeExtendFromBoundary", 0),
-                        ("MeshSizeFromPoints", 0), ("MeshSizeFromCurvature", 0), ("Algorithm", algorithm),
-                        ("RecombinationAlgorithm", 1), ("SubdivisionAlgorithm", 0), ("RecombineAll", 0),
-                        ("Smoothing", 1), ("ElementOrder", 1)):
-        gmsh.option.setNumber("Mesh." + name, value)
-
-
-def _make_transfinite(solid, size):
-    """Opposite edges of four-sided faces get equal counts; every face must have four sides."""
-    bad = [f for f in solid.faces if len(solid.loops[f]) != 1 or len(solid.boundary[f]) != 4
-           or len({abs(e) for e in solid.boundary[f]}) != 4]
-    if bad:
-        raise WorkerFault("NOT_TRANSFINITE", "without four sides: " + ", ".join(f"Face{f}" for f in bad[:10]), bad)
-    root = {e: e for e in solid.edges}
-
-    def find(e):
-        while root[e] != e:
-            e = root[e]
-        return e
-
-    for f in solid.faces:
-        a, b, c, d = (abs(e) for e in solid.boundary[f])
-        root[find(a)] = find(c)
-        root[find(b)] = find(d)
-    groups = {}
-    for e in solid.edges:
-        groups.setdefault(find(e), []).append(e)
-    for edges in groups.values():
-        count = max(1, int(np.rint(np.mean([solid.length(e) for e in edges]) / size)))
-        for e in edges:
-            gmsh.model.mesh.setTransfiniteCurve(e, count + 1)
-    for f in solid.faces:
-        gmsh.model.mesh.setTransfiniteSurface(f)
-
-
-def _collect(solid):
-    """(number of triangles, dict of points, quads, faces) with every point moved onto its CAD entity."""
-    tags, xyz, _ = gmsh.model.mesh.getNodes()
-    points = np.array(xyz).reshape(-1, 3)
-    row = np.full(int(tags.max()) + 1, -1)
-    row[np.asarray(tags, int)] = np.arange(len(tags))
-    for dim, entities in ((1, solid.edges), (2, solid.faces)):
-        for tag in entities:
-            own = row[np.asarray(gmsh.model.mesh.getNodes(dim, tag)[0], int)]
-            points[own] = solid.project(dim, tag, points[own])
-    triangles, quads, faces = 0, [], []
-    for face in solid.faces:
-        for kind, _, nodes in zip(*gmsh.model.mesh.getElements(2, face)):
-            if kind == 3:
-                quads.append(row[np.asarray(nodes, int)].reshape(-1, 4))
-                faces.append(np.full(len(quads[-1]), face))
-            elif kind == 2:
-                triangles += len(nodes) // 3
-    if not quads:
-        return max(triangles, 1), None
-    quads = np.concatenate(quads)
-    used, packed = np.unique(quads, return_inverse=True)
-    return triangles, {"points": points[used], "quads": packed.reshape(-1, 4), "faces": np.concatenate(faces)}

@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Can the points of a quad surface be black and white, so that every edge joins the two?"""
+import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+
+
+def two_colourable(quads):
+    """Always so on a sphere; with handles if every closed path of edges is even. quads (n,4). O(n).
+
+    Two copies of the points, every edge from one copy to the other: a point is joined to its own copy by odd paths.
+    """
+    count = int(quads.max()) + 1
+    a, b = np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2).T
+    ends = np.concatenate([a, b]), np.concatenate([b, a]) + count
+    graph = coo_matrix((np.ones(len(ends[0]), bool), ends), shape=(2 * count, 2 * count))
+    part = connected_components(graph, directed=False)[1]
+    return bool((part[:count] != part[count:])[np.unique(quads)].all())

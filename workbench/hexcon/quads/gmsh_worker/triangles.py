@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Method subdivided-triangles: triangles by gmsh, each cut into three quads."""
+from .corner_room import GOOD, corner_room, room_words
+from .fault import WorkerFault
+from .generate import collect, generate
+from .local_size import LocalSize
+
+METHOD = "subdivided-triangles"
+# What the bounds of the local size are multiplied with, one after the other; None: the same size everywhere.
+SCALES = (None, 2.0, 1.4, 1.0, 0.7)
+
+
+def triangle_surface(solid, size, link):
+    """dict with points (V,3), quads (n,4), faces (n,), notes.
+
+    Where the even size leaves corners without room, elements are smaller at curves, short edges and narrow places;
+    the first good surface is taken, or the best. link: a Link. Raises WorkerFault NOT_ALL_QUAD, TOOL_FAILED.
+    """
+    best, last, notes = None, None, []
+    for k, scale in enumerate(SCALES):
+        link.progress("mesh", k / len(SCALES))
+        name = "the even size" if scale is None else f"{scale:g} times the sizes of curves and gaps"
+        try:
+            local = None if scale is None else LocalSize(solid, 2.0 * size, scale)
+            mesh = _tried(solid, size, local, link, name)
+        except WorkerFault as fault:
+            last = fault
+            continue
+        room = corner_room(mesh["points"], mesh["quads"])
+        if best is None or room > best[0]:
+            best = room, mesh, local
+        if room >= GOOD:
+            break
+        notes.append(f"{METHOD}: with {name} {room_words(room)}")
+    if best is None:
+        raise last
+    return _noted(*best, notes, size)
+
+
+def _tried(solid, size, local, link, name):
+    if not link.risk(f"{METHOD} with {name}"):
+        raise WorkerFault("TOOL_FAILED", f"gmsh crashed on {METHOD} with {name}")
+    try:
+        generate(solid, size, METHOD, local=local)
+    except Exception as error:      # gmsh raises plain Exception
+        raise WorkerFault("TOOL_FAILED", f"gmsh: {error}") from error
+    triangles, mesh = collect(solid)
+    if triangles:
+        raise WorkerFault("NOT_ALL_QUAD", f"{triangles} triangles are left")
+    return mesh
+
+
+def _noted(room, mesh, local, notes, size):
+    if local is not None:
+        notes.append(f"{METHOD}: smaller where the solid is curved or narrow, down to {local.least / 2:.3g} instead of "
+                     f"{size:.4g}: {room_words(room)}")
+    mesh["notes"] = notes + [f"{METHOD}: {len(mesh['quads'])} quads"]
+    return mesh
