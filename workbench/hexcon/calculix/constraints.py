@@ -65,7 +65,7 @@ def make_force(doc, solid, name, vector):
 def _direction_reference(doc, solid, direction):
     """((object, [sub-element]), new line object or None), parallel to the unit vector."""
     for number, edge in enumerate(solid.Shape.Edges, 1):
-        if edge.Curve.TypeId == "Part::GeomLine":
+        if not edge.Degenerated and edge.Curve.TypeId == "Part::GeomLine":     # a pole has no curve
             if _parallel(edge.tangentAt(edge.FirstParameter), direction):
                 return (solid, [f"Edge{number}"]), None
     for number, face in enumerate(solid.Shape.Faces, 1):

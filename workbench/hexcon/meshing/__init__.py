@@ -5,13 +5,24 @@ import time
 import hexcon_native
 from hexcon_native import ErrorCode, HexconError
 
-from ..errors import ToolError
+from ..errors import FaultCode, ToolError
 from ..quads import surface_from_solid
 from ..tetrahedra import tetrahedralise
 from ..topological import is_topological
 
 _ABOUT_THE_SURFACE = (ErrorCode.NOT_SWEPT, ErrorCode.NO_SHEETS, ErrorCode.NOT_DICED, ErrorCode.NOT_STAR_SHAPED,
                       ErrorCode.UNFILLABLE_QUAD, ErrorCode.NOT_BIPARTITE, ErrorCode.NO_HEX_MESH, ErrorCode.NOT_CERTIFIED)
+
+# A surface of another size may do where these are the matter.
+_WORTH_ANOTHER = (*_ABOUT_THE_SURFACE, ErrorCode.NON_MANIFOLD_VERTEX, ErrorCode.NON_MANIFOLD_EDGE, FaultCode.OFF_CAD,
+                  FaultCode.NOT_ALL_QUAD, FaultCode.ODD_SURFACE)
+
+# What auto tries next: parts of the size, and how careful the surface is to be (see surface_from_solid).
+_MORE_TRIES = ((0.94, 1), (0.88, 2), (0.8, 3))
+
+# More subdivided triangles than this are diced before anything else: no other method makes fewer hexes of them, and to
+# look for layers takes longer than to dice.
+_DICED_FIRST = 600
 
 # How fast tetrahedra inside grow, up to this many triangles and beyond: slow growth makes a fifth
 # more hexes, somewhat better ones, and takes twice as long to improve.
@@ -89,6 +100,8 @@ def mesh_solid(shape_or_file, size, *, surface_method="auto", method="auto", tim
     method          how the surface is filled: hexcon_native.METHODS
     timeout         seconds for gmsh
     progress        callable (stage, fraction); returning False or raising cancels
+    With both methods "auto", and unless there is a budget, other surfaces are tried where the first cannot be
+    filled: somewhat smaller elements, and smaller ones at curves and narrow places; report["surface tries"] tells.
     options         order, layers, threads, budget, allow_uncertified, and for the topological methods
                     pairing and certify: as hexcon_native.mesh
     Returns a Mesh with more attributes: .surface (quads.QuadSurface), .face_of_quad ((n,) int64,
@@ -98,14 +111,45 @@ def mesh_solid(shape_or_file, size, *, surface_method="auto", method="auto", tim
     hexcon_native.check_options(method, **{name: options[name] for name in
                                            ("order", "layers", "threads", "pairing", "budget")
                                            if name in options})
-    started = time.monotonic()
-    surface = surface_from_solid(shape_or_file, size, surface_method, timeout=timeout,
-                                 progress=raising(progress))
-    seconds = time.monotonic() - started
-    mesh = mesh_quad_surface(surface, method, timeout=timeout, progress=progress, **options)
+    tries = [(1.0, 0)]
+    if surface_method == "auto" and method == "auto" and not options.get("budget"):
+        tries += _MORE_TRIES
+    surface_options = {"method": surface_method, "timeout": timeout, "progress": raising(progress)}
+    fill_options = {"timeout": timeout, "progress": progress, **options}
+    told, seconds = [], 0.0
+    for factor, care in tries:
+        started = time.monotonic()
+        try:
+            surface = surface_from_solid(shape_or_file, factor * size, care=care, **surface_options)
+            seconds += time.monotonic() - started
+            mesh = _filled(surface, method, fill_options, last=(factor, care) == tries[-1])
+            break
+        except HexconError as fault:
+            if not _is_worth_another(fault) or (factor, care) == tries[-1]:
+                raise
+            told.append(f"size {factor * size:.4g}: {fault.code.name}: {fault}")
+    if told:
+        mesh.report["surface tries"] = told
     mesh.solid = shape_or_file
     mesh.report["seconds surface"] = seconds
     return mesh
+
+
+def _filled(surface, method, options, last):
+    """mesh_quad_surface; large surfaces of subdivided triangles are diced first. last: no other surface comes after."""
+    large = surface.method == "subdivided-triangles" and len(surface.quads) > _DICED_FIRST
+    if method == "auto" and large and not options.get("layers"):
+        try:
+            return mesh_quad_surface(surface, "diced", **{**options, "allow_uncertified": False})
+        except HexconError as fault:
+            if not last or not _is_worth_another(fault):
+                raise
+    return mesh_quad_surface(surface, method, **options)
+
+
+def _is_worth_another(fault):
+    """Whether another surface of the same solid may do."""
+    return fault.code in _WORTH_ANOTHER or (fault.code is FaultCode.BAD_SHAPE and bool(fault.elements))
 
 
 def raising(progress):

@@ -14,13 +14,15 @@ METHODS = ("auto", "sweep", "blocks", "subdivided", "subdivided-triangles", "blo
 CAD_ENDINGS = (".step", ".stp", ".brep", ".brp")
 
 
-def surface_from_solid(shape_or_file, size, method="auto", *, timeout=120.0, progress=None):
+def surface_from_solid(shape_or_file, size, method="auto", *, care=0, timeout=120.0, progress=None):
     """A closed, outward, even QuadSurface on the boundary of one solid.
 
     shape_or_file  a FreeCAD Part.Shape, or the path of a .step .stp .brep .brp file (plain Python will do), or
                    of a .FCStd file (needs FreeCAD)
     size           wanted edge length, in the units of the shape (millimetres)
     method         one of METHODS
+    care           0: the first good surface; 1, 2, ...: so many of the coarser ways are passed over, for where no hexes
+                   could be made in those (subdivided-triangles: smaller at curves and narrow places)
     timeout        seconds for gmsh
     progress       callable(stage, fraction in 0..1); an exception from it cancels and comes out here
 
@@ -31,7 +33,7 @@ def surface_from_solid(shape_or_file, size, method="auto", *, timeout=120.0, pro
     """
     _check_options(size, method, timeout)
     source, face_numbers = _source(shape_or_file)
-    found = run_job("gmsh_worker", source, {"method": method, "size": float(size)}, timeout, progress)
+    found = run_job("gmsh_worker", source, {"method": method, "size": float(size), "care": int(care)}, timeout, progress)
     notes = [str(n) for n in found["notes"]]
     _check_distance(found, notes)
     faces = found["faces"]

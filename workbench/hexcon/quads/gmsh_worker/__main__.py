@@ -40,7 +40,7 @@ def _mesh(solid, job, link):
     if method in NATURAL:
         return _natural(solid, method, size, link), method, []
     if method == "subdivided-triangles":
-        return triangle_surface(solid, size, link), method, []
+        return triangle_surface(solid, size, link, job["care"]), method, []
     if method != "auto":
         return whole_surface(solid, size, method, link), method, []
     notes = []
@@ -53,7 +53,7 @@ def _mesh(solid, job, link):
             notes.append(f"auto: {word}: {fault}")
     # Hexes inside: 3 a quad on triangles, 10 to 22, and worse ones, where there are coarse quads.
     try:
-        return triangle_surface(solid, size, link), "subdivided-triangles", notes
+        return triangle_surface(solid, size, link, job["care"]), "subdivided-triangles", notes
     except WorkerFault as fault:
         notes.append(f"auto: no subdivided triangles: {fault}")
     return whole_surface(solid, size, "subdivided", link), "subdivided", notes

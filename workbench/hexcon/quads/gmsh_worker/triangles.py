@@ -10,15 +10,16 @@ METHOD = "subdivided-triangles"
 SCALES = (None, 2.0, 1.4, 1.0, 0.7)
 
 
-def triangle_surface(solid, size, link):
+def triangle_surface(solid, size, link, care=0):
     """dict with points (V,3), quads (n,4), faces (n,), notes.
 
     Where the even size leaves corners without room, elements are smaller at curves, short edges and narrow places;
-    the first good surface is taken, or the best. link: a Link. Raises WorkerFault NOT_ALL_QUAD, TOOL_FAILED.
+    the first good surface is taken, or the best. link: a Link; care: how many of SCALES are left out. Raises WorkerFault NOT_ALL_QUAD, TOOL_FAILED.
     """
     best, last, notes = None, None, []
-    for k, scale in enumerate(SCALES):
-        link.progress("mesh", k / len(SCALES))
+    scales = SCALES[min(care, len(SCALES) - 1):]
+    for k, scale in enumerate(scales):
+        link.progress("mesh", k / len(scales))
         name = "the even size" if scale is None else f"{scale:g} times the sizes of curves and gaps"
         try:
             local = None if scale is None else LocalSize(solid, 2.0 * size, scale)
