@@ -6,6 +6,8 @@
 # make screenshots the pictures of docs/guide.md, from FreeCAD's window under Xvfb
 # make bench-window how fast large meshes are opened and cut in FreeCAD's window
 # make compare method diced beside gmsh's own hexes on fifteen solids; COMPARE_QUADS: sizes of the surfaces
+# make parts   named parts with holes, cavities and notches: meshed, patch-tested and solved in FreeCADCmd
+# make csg     random CSG parts from solid to certificate, from seed CSG_FIRST on; goes on where it was stopped
 # make build   the core alone, in place
 # FREECADCMD and PYTHON may name another FreeCAD and its interpreter.
 
@@ -19,7 +21,7 @@ sources = $(shell git ls-files 'hexcon_native/*.[ch]' 'tests/native/*.[ch]' 2>/d
             find hexcon_native tests/native -name '*.[ch]')
 native = $(wildcard hexcon_native/src/*/*.c)
 
-.PHONY: run test build bench bench-window compare gallery screenshots setup-run setup-test lint native-test python-test clean
+.PHONY: run test build bench bench-window compare parts csg gallery screenshots setup-run setup-test lint native-test python-test clean
 
 run: setup-run build
 	@command -v $(FREECADCMD) >/dev/null || { echo "HexCon: there is no $(FREECADCMD); set FREECADCMD to FreeCAD's command line program" >&2; exit 1; }
@@ -72,6 +74,15 @@ bench-window: setup-test build
 COMPARE_QUADS ?= 200 1000 4000
 compare: setup-run build
 	@PYTHONPATH=.:workbench $(python) tests/python/diced_table.py --quads $(COMPARE_QUADS)
+
+parts: setup-run build
+	@mkdir -p output
+	@PYTHONPATH=.:workbench HEXCON_GMSH_PYTHON=$(python) $(FREECADCMD) tests/freecad/parts_table.py -- \
+	  --result output/parts.txt </dev/null >output/parts.log 2>&1; status=$$?; cat output/parts.txt; exit $$status
+
+CSG_FIRST ?= 0
+csg: setup-run build
+	@PYTHONPATH=.:workbench $(python) tests/freecad/csg_table.py --first $(CSG_FIRST) --result output/csg.jsonl
 
 clean:
 	rm -rf build output hexcon_native/*.abi3.so

@@ -2,9 +2,10 @@
 """Named parts (any_solids.py) from solid to solved model, in FreeCADCmd:
 
     freecadcmd tests/freecad/parts_table.py -- [--surface-method auto blossom] [--part torus] [--factor 1 0.6]
+                                               [--result output/parts.txt]
 
 One line a part, surface method and size: genus, cavities, quads, hexes, scaled Jacobian, certificate, Euler
-characteristic, the error of a patch test, and the largest displacement and von Mises stress of a static analysis.
+characteristic, the error of a patch test in ccx, and the largest displacement and von Mises stress of a static analysis.
 """
 import argparse
 import os
@@ -85,12 +86,20 @@ def main(given):
     parser.add_argument("--surface-method", nargs="+", default=["auto", "blossom"])
     parser.add_argument("--part", nargs="+")
     parser.add_argument("--factor", nargs="+", type=float)
+    parser.add_argument("--result", default="output/parts.txt", help="FreeCAD talks in between on the terminal")
     options = parser.parse_args(given)
     from any_solids import BODIES
-    for name in options.part or BODIES:
+    os.makedirs(os.path.dirname(options.result) or ".", exist_ok=True)
+    with open(options.result, "w", encoding="utf-8") as stream:
+        for line in lines(options, BODIES):
+            print(line, file=stream, flush=True)
+
+
+def lines(options, bodies):
+    for name in options.part or bodies:
         for method in options.surface_method:
             for factor in options.factor or FACTORS.get(name, (1.0, 0.6)):
-                print(line_of(name, BODIES[name], method, factor * BODIES[name].size), flush=True)
+                yield line_of(name, bodies[name], method, factor * bodies[name].size)
 
 
 if __name__ in ("__main__", "parts_table"):
