@@ -141,6 +141,8 @@ def _is_manifold(solid):
         for here, after in zip(edges, edges[1:] + edges[:1]):
             faces_at_edge[here] = faces_at_edge.get(here, 0) + 1
             common = {_Same(v) for v in here.shape.Vertexes} & {_Same(v) for v in after.shape.Vertexes}
+            if len(common) > 1:
+                common &= {_Same(here.shape.lastVertex(True))}
             for vertex in common:
                 links.setdefault(vertex, []).append({here, after})
     return set(faces_at_edge.values()) == {2} and all(_joined(arcs) for arcs in links.values())

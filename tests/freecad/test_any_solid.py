@@ -5,7 +5,7 @@ import pytest
 from any_solids import BODIES
 from csg_parts import csg_part
 from csg_table import expected_euler, mesh_euler
-from parts_table import face_at, faults_of, solved
+from parts_figures import faults_of, solved
 from quads_checks import assert_on_faces
 from quads_solids import Part, Vector
 from test_calculix_deck import patch_error
@@ -15,7 +15,7 @@ import hexcon_native as hn
 from hexcon import femmesh
 from hexcon.quads import surface_from_solid
 
-# Quads of a few bodies that two colours suffice for at the second or a later size; the crank's are odd at first.
+# At the wanted size most of these are odd, or have triangles, or need a third colour.
 RECOMBINED = ["torus", "plate, three holes", "hollow ball", "crank"]
 
 
@@ -39,8 +39,7 @@ def test_body(name):
     if body.fixed:
         result, groups = solved(mesh, shape, body)
         assert groups == {f"Face{k + 1}" for k in range(len(shape.Faces))}
-        force = result.report["force"][face_at(shape, body.loaded)]
-        assert np.allclose(force, body.force, atol=1e-6)
+        assert np.allclose(result.report["force_sum"], body.force, atol=1e-6)
         assert 0 < result.max_displacement < 1 and 0 < result.von_mises.max() < 1000
 
 
@@ -64,8 +63,7 @@ def test_nodes_of_a_cavity():
         assert np.array_equal(found, femmesh.face_nodes(mesh, number))
 
 
-@pytest.mark.parametrize("radius", [1.0, 0.3])
-def test_small_hole_in_a_large_plate(radius):
+def test_small_hole_in_a_large_plate(radius=0.4):
     """A hole much smaller than the elements: with the even size its quads would fold."""
     shape = Part.makeBox(30, 30, 8).cut(Part.makeCylinder(radius, 6, Vector(11, 13, 2)))     # a blind hole: no sweep
     mesh = hexcon.mesh_solid(shape, 5.0)

@@ -21,7 +21,7 @@ WORKERS = [os.path.join(HERE, name) for name in ("quads", "tetrahedra")]     # w
 # HXT's work depends on the order of addresses in memory: with these it is nearly always the same from run to run.
 SAME_MEMORY = {"PYTHONHASHSEED": "0", "MALLOC_MMAP_THRESHOLD_": "1000000000", "MALLOC_TOP_PAD_": "268435456"}
 POLL = 0.03     # seconds between looks at the subprocess
-CRASHES = 12    # so often a job is started again without the step that killed it
+CRASHES = 30    # so often a job is started again without the step that killed it
 
 
 @functools.lru_cache(maxsize=None)

@@ -14,8 +14,8 @@ class Result:
                       result, result mesh
     displacements (P,3), von_mises (P,), stress (P,6) xx yy zz xy yz zx, at the nodes
     inp_path, frd_path  files of the run;  ccx_log  ccx's output
-    report            dict: "notes" list of what was put right, "force" {face: (3,) sum of
-                      the nodal loads in the deck}
+    report            dict: "notes" list of what was put right, "force_sum" [fx, fy, fz] of all
+                      nodal loads in the deck
     """
 
     document_object: object
