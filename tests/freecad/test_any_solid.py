@@ -72,6 +72,14 @@ def test_small_hole_in_a_large_plate(radius=0.4):
     assert len(mesh.quads) < 2500
 
 
+@pytest.mark.parametrize("method", ["auto", "subdivided"])
+def test_small_cavity_is_not_lost(method):
+    """gmsh gives a ball much smaller than the elements none at all, and no error."""
+    shape = Part.makeBox(20, 20, 20).cut(Part.makeSphere(2.4, Vector(8, 6, 14)))
+    surface = surface_from_solid(shape, 5.0, method)
+    assert set(surface.face_of_quad) == set(range(1, 8)) and euler_of(surface.quads) == 4
+
+
 def test_short_edge():
     """An edge a thousand times shorter than the size."""
     shape = Part.makeBox(20, 20, 20).cut(Part.makeBox(10, 10, 10, Vector(10, 10, 10))).cut(

@@ -79,7 +79,10 @@ def _make_transfinite(solid, size):
 
 
 def collect(solid):
-    """(number of triangles, dict of points, quads, faces) with every point moved onto its CAD entity."""
+    """(number of triangles, dict of points, quads, faces) with every point moved onto its CAD entity.
+
+    Raises WorkerFault TOOL_FAILED where a face has no elements.
+    """
     tags, xyz, _ = gmsh.model.mesh.getNodes()
     points = np.array(xyz).reshape(-1, 3)
     row = np.full(int(tags.max()) + 1, -1)
@@ -90,6 +93,8 @@ def collect(solid):
             points[own] = solid.project(dim, tag, points[own])
     triangles, quads, faces = 0, [], []
     for face in solid.faces:
+        if not len(gmsh.model.mesh.getElements(2, face)[0]):     # a small ball, without a word
+            raise WorkerFault("TOOL_FAILED", f"gmsh left Face{face} without elements", [face])
         for kind, _, nodes in zip(*gmsh.model.mesh.getElements(2, face)):
             if kind == 3:
                 quads.append(row[np.asarray(nodes, int)].reshape(-1, 4))
