@@ -114,25 +114,33 @@ def mesh_solid(shape_or_file, size, *, surface_method="auto", method="auto", tim
     tries = [(1.0, 0)]
     if surface_method == "auto" and method == "auto" and not options.get("budget"):
         tries += _MORE_TRIES
-    surface_options = {"method": surface_method, "timeout": timeout, "progress": raising(progress)}
-    fill_options = {"timeout": timeout, "progress": progress, **options}
-    told, seconds = [], 0.0
-    for factor, care in tries:
-        started = time.monotonic()
-        try:
-            surface = surface_from_solid(shape_or_file, factor * size, care=care, **surface_options)
-            seconds += time.monotonic() - started
-            mesh = _filled(surface, method, fill_options, last=(factor, care) == tries[-1])
-            break
-        except HexconError as fault:
-            if not _is_worth_another(fault) or (factor, care) == tries[-1]:
-                raise
-            told.append(f"size {factor * size:.4g}: {fault.code.name}: {fault}")
-    if told:
-        mesh.report["surface tries"] = told
+
+    def surface_of(factor, care):
+        return surface_from_solid(shape_or_file, size if factor == 1.0 else factor * size, surface_method, care=care,
+                                  timeout=timeout, progress=raising(progress))
+    mesh, seconds = _first_filled(surface_of, tries, method, {"timeout": timeout, "progress": progress, **options})
     mesh.solid = shape_or_file
     mesh.report["seconds surface"] = seconds
     return mesh
+
+
+def _first_filled(surface_of, tries, method, options):
+    """(mesh, seconds for surfaces): of the first of the tries, arguments of surface_of, that can be filled."""
+    told, seconds = [], 0.0
+    for one in tries:
+        started = time.monotonic()
+        try:
+            surface = surface_of(*one)
+            seconds += time.monotonic() - started
+            mesh = _filled(surface, method, options, last=one == tries[-1])
+            break
+        except HexconError as fault:
+            if one == tries[-1] or not _is_worth_another(fault):
+                raise
+            told.append(f"{one[0]:g} times the size: {fault.code.name}: {fault}")
+    if told:
+        mesh.report["surface tries"] = told
+    return mesh, seconds
 
 
 def _filled(surface, method, options, last):
