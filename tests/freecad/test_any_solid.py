@@ -50,6 +50,8 @@ def test_recombined_quads_have_two_colours(name):
     report = hn.check_surface(surface.points, surface.quads)
     assert report.bipartite and report.even
     assert euler_of(surface.quads) == 2 * (1 + body.cavities - body.handles)
+    if body.cavities:
+        assert (np.bincount(surface.face_of_quad)[[4]] % 2 == 0).all()     # the cavity's only face
 
 
 def test_nodes_of_a_cavity():

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Surface meshes of the whole solid by gmsh that need luck: blossom, subdivided, transfinite."""
-from .colouring import two_colourable
+from .colouring import shells_are_even, two_colourable
 from .corner_room import corner_room, room_words
 from .fault import WorkerFault
 from .generate import collect, generate
@@ -70,7 +70,7 @@ def _tries(method):
 
 
 def _tried(solid, size, method, one, link):
-    """The mesh of one try; WorkerFault where it is not all quads, or odd."""
+    """The mesh of one try; WorkerFault where it is not all quads, or a shell of it odd."""
     if not link.risk(f"{method} by {one}"):
         raise WorkerFault("TOOL_FAILED", f"gmsh crashed on {method} at every size tried from {size:g} on")
     wanted = size * one.factor
@@ -86,7 +86,7 @@ def _tried(solid, size, method, one, link):
     if triangles:
         raise WorkerFault("NOT_TRANSFINITE" if method == "transfinite" else "NOT_ALL_QUAD",
                           f"{triangles} triangles are left at every size tried from {size:g} on")
-    if len(mesh["quads"]) % 2:
+    if not shells_are_even(mesh["quads"]):
         raise WorkerFault("ODD_SURFACE", f"the number of quads is odd at every size tried from {size:g} on")
     return mesh
 
