@@ -12,6 +12,7 @@ ALGORITHMS = {"blossom": (6, 5)}
 FACTORS = (1.0, 0.97, 1.03, 0.94, 1.06, 0.91, 1.09, 0.88, 1.12)   # of the size, tried until all is well
 MORE_FACTORS = (0.985, 1.015, 0.955, 1.045, 0.925, 1.075, 0.895, 1.105)     # where two colours are not enough
 SCALES = (2.0, 1.4, 1.0)    # of local sizes, tried after all of these
+SMALLER = (0.82, 0.75, 0.7, 0.65, 0.6, 0.55, 0.5)       # of the size, where nothing else has come to quads
 LEAST_ROOM = 0.05           # sine of the worst corner
 
 
@@ -30,6 +31,8 @@ def whole_surface(solid, size, method, link):
         if one.only_for_colours and not (best and not best[0][0]):
             continue
         try:
+            if best and best[0] >= (True, 0.0) and one.factor < FACTORS[-2]:
+                break       # such a small size only for want of anything else
             mesh = _tried(solid, size, method, one, link)
         except WorkerFault as fault:
             if fault.code == "NOT_TRANSFINITE" and fault.elements:
@@ -66,7 +69,8 @@ def _tries(method):
     if method == "transfinite":
         return tries
     tries += [_Try(factor, algorithm, True, only_for_colours=True) for algorithm in algorithms for factor in MORE_FACTORS]
-    return tries + [_Try(factor, 6, True, scale) for scale in SCALES for factor in FACTORS[:5]]
+    tries += [_Try(factor, 6, True, scale) for scale in SCALES for factor in FACTORS[:5]]
+    return tries + [_Try(factor, algorithm, True) for factor in SMALLER for algorithm in algorithms]
 
 
 def _tried(solid, size, method, one, link):
