@@ -102,18 +102,25 @@ def _run(python, job_path, folder, worker, limit, timeout, progress):
         except OSError as error:
             raise ToolError(f"cannot start {python}: {error}", FaultCode.TOOL_MISSING) from error
     try:
-        return _watch(process, os.path.join(folder, "progress.txt"), limit, timeout, progress)
+        return watch(process, "gmsh", limit, timeout, os.path.join(folder, "progress.txt"), progress)
     finally:
         if process.poll() is None:
             process.kill()
         process.wait()
 
 
-def _watch(process, progress_path, limit, timeout, progress):
-    """Wait, passing progress on, until the monotonic clock shows `limit`; raises ToolError TOOL_TIMEOUT."""
+def watch(process, program, limit, timeout, progress_path, progress):
+    """Wait for a process, passing progress on, until the monotonic clock shows `limit`; its exit status.
+
+    program        its name, for words
+    timeout        seconds that there were
+    progress_path  file of lines "stage fraction"; there need be none
+    progress       callable (stage, fraction), or None; whatever it raises comes out here
+    Raises ToolError TOOL_TIMEOUT; to end the process then is the caller's.
+    """
     while True:
         if time.monotonic() > limit:
-            raise ToolError(f"gmsh did not finish within {timeout:g} seconds", FaultCode.TOOL_TIMEOUT)
+            raise ToolError(f"{program} did not finish within {timeout:g} seconds", FaultCode.TOOL_TIMEOUT)
         try:
             return process.wait(POLL)
         except subprocess.TimeoutExpired:
@@ -141,7 +148,7 @@ def _result(folder, code):
         raise ToolError(found["message"], FaultCode[found["code"]], found["elements"])
     result = os.path.join(folder, "result.npz")
     if code != 0 or not os.path.exists(result):
-        raise ToolError(f"gmsh {_how_it_ended(code)}: {_last_words(folder)}", FaultCode.TOOL_FAILED)
+        raise ToolError(f"gmsh {_how_it_ended(code)}: {last_words(folder)}", FaultCode.TOOL_FAILED)
     with np.load(result) as arrays:
         return dict(arrays)
 
@@ -150,8 +157,8 @@ def _how_it_ended(code):
     return f"was ended by signal {-code}" if code < 0 else f"failed with status {code}"
 
 
-def _last_words(folder, most=12):
-    """gmsh's error lines, or the end of its log."""
+def last_words(folder, most=12):
+    """The error lines of log.txt in a folder, or its end."""
     with open(os.path.join(folder, "log.txt"), encoding="utf-8", errors="replace") as stream:
         lines = [line.rstrip() for line in stream if line.strip()]
     errors = [line for line in lines if line.startswith("Error")] or lines

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Surface to tetrahedra: the caller's side of the gmsh subprocess."""
+"""Surface to tetrahedra: by gmsh, or where it finds none, by tetgen."""
 import math
 import os
 
@@ -12,8 +12,10 @@ from .check import check_surface, fault_of
 from .quality import diced_quality
 from .relax import relax
 from .split import split_doubles
+from .tetgen import by_tetgen, find_tetgen
 
 ALGORITHMS = ("Delaunay", "HXT")
+_FOR_TETGEN = (FaultCode.TOOL_MISSING, FaultCode.TOOL_FAILED)     # gmsh's faults after which there is time left
 
 
 def tetrahedralise(points, triangles, *, timeout=120.0, progress=None, coarsening=0.5):
@@ -30,9 +32,10 @@ def tetrahedralise(points, triangles, *, timeout=120.0, progress=None, coarsenin
     given triangles, of the outer shell and of cavities, whose triangles face into the cavity; a tetrahedron with two of them is a good one. Of gmsh's algorithms the
     one is taken whose worst tetrahedron, diced into four hexes, is best; its inner points are then moved to make the
     worst hexes better.
-    HXT of gmsh 4.8 may differ a little from run to run.
-    Raises ToolError: BAD_TRIANGLES (not closed, ...), BAD_OPTION, TOOL_MISSING, TOOL_TIMEOUT, TOOL_FAILED (gmsh could
-    not do it, as where the surface crosses itself; the message tells gmsh's reason for each algorithm).
+    HXT of gmsh 4.8 may differ a little from run to run. Where gmsh finds none, tetgen is asked if it is installed
+    (see tetgen.py): it makes no graded ones.
+    Raises ToolError: BAD_TRIANGLES (not closed, ...), BAD_OPTION, TOOL_MISSING, TOOL_TIMEOUT, TOOL_FAILED (neither
+    could do it, as where the surface crosses itself; the message tells the reasons).
     Cost: about a second, and another for every 2,000 triangles.
     """
     _check_options(timeout, coarsening)
@@ -40,19 +43,48 @@ def tetrahedralise(points, triangles, *, timeout=120.0, progress=None, coarsenin
     check_surface(points, triangles)
     triangles = triangles.astype(np.int64)
 
-    def write(folder):
-        path = os.path.join(folder, "surface.npz")
-        np.savez(path, points=points, triangles=triangles)
-        return path
-    found = run_job("tetrahedra_worker", write, {"coarsening": float(coarsening)}, timeout, progress)
-    candidates, reasons = _candidates(found, points, triangles, progress)
+    candidates, reasons = _by_gmsh(points, triangles, coarsening, timeout, progress)
+    if not candidates:
+        candidates, more = _by_tetgen(points, triangles, timeout, progress)
+        reasons += more
     for _, mesh_points, tetrahedra in sorted(candidates, key=lambda mesh: -mesh[0]):
         mesh_points = relax(mesh_points, tetrahedra, len(points))
         reason = fault_of(mesh_points, tetrahedra, points, triangles)
         if reason is None:
             return mesh_points, tetrahedra.astype(np.int32)
         reasons.append(reason)
-    raise ToolError("gmsh could not fill the surface with tetrahedra; " + "; ".join(reasons), FaultCode.TOOL_FAILED)
+    raise ToolError("the surface could not be filled with tetrahedra; " + "; ".join(reasons), FaultCode.TOOL_FAILED)
+
+
+def _by_gmsh(points, triangles, coarsening, timeout, progress):
+    """([(worst quality, points, tetrahedra), ...], [reasons]); raises what run_job does, unless tetgen is there."""
+    def write(folder):
+        path = os.path.join(folder, "surface.npz")
+        np.savez(path, points=points, triangles=triangles)
+        return path
+    try:
+        found = run_job("tetrahedra_worker", write, {"coarsening": float(coarsening)}, timeout, progress)
+    except ToolError as fault:
+        if fault.code not in _FOR_TETGEN or not find_tetgen():
+            raise
+        return [], [str(fault)]
+    return _candidates(found, points, triangles, progress)
+
+
+def _by_tetgen(points, triangles, timeout, progress):
+    """As _by_gmsh; nothing where tetgen is not installed."""
+    program = find_tetgen()
+    if not program:
+        return [], []
+    try:
+        mesh = _oriented(*by_tetgen(program, points, triangles, timeout, progress))
+    except ToolError as fault:
+        return [], [str(fault)]
+    reason = fault_of(*mesh, points, triangles)
+    if reason is not None:
+        return [], [f"tetgen: {reason}"]
+    mesh = split_doubles(*mesh)
+    return [(float(diced_quality(*mesh).min()), *mesh)], []
 
 
 def _check_options(timeout, coarsening):

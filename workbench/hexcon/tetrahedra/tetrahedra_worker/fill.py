@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Fill a discrete surface by one of gmsh's algorithms."""
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
 import gmsh
+
+from .shells import shells_of
 
 TETRAHEDRON, TRIANGLE = 4, 2    # gmsh's numbers of the element types
 
@@ -21,7 +21,7 @@ def fill(points, triangles, size, algorithm, threshold):
     for name, value in (("Algorithm3D", algorithm), ("Optimize", 1), ("OptimizeThreshold", threshold),
                         ("MeshSizeExtendFromBoundary", 0)):
         gmsh.option.setNumber("Mesh." + name, value)
-    shells = _shells(points, triangles)
+    shells = shells_of(points, triangles)
     given = np.concatenate([np.unique(triangles[shell]) for shell in shells])    # gmsh numbers points surface by surface
     _surfaces(points[given], np.argsort(given)[triangles], shells)
     gmsh.model.mesh.setSizeCallback(size)
@@ -40,17 +40,6 @@ def _surfaces(points, triangles, shells):
         model.mesh.addElementsByType(tag, TRIANGLE, shell + 1, triangles[shell].ravel() + 1)
     model.geo.addVolume([model.geo.addSurfaceLoop([tag]) for tag in range(1, len(shells) + 1)])
     model.geo.synchronize()
-
-
-def _shells(points, triangles):
-    """Rows of the triangles of each connected shell; that of the largest volume, the outer one, first, as gmsh
-    wants it before the cavities.
-    """
-    ends = np.stack([triangles, np.roll(triangles, -1, axis=1)]).reshape(2, -1)
-    count, label = connected_components(coo_matrix((np.ones(ends.shape[1]), ends), shape=(len(points),) * 2), False)
-    shell = label[triangles[:, 0]]
-    volumes = np.bincount(shell, np.linalg.det(points[triangles] - points.mean(axis=0)), minlength=count)
-    return [np.flatnonzero(shell == k) for k in np.argsort(-volumes)]
 
 
 def _mesh(given):
