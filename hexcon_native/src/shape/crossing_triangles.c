@@ -57,34 +57,48 @@ static void mark_points(const triangle_grid *grid, size_t triangle, int32_t poin
     marked[grid->triangles[3 * triangle + i] % point_count] = 1;
 }
 
-/** Compare a triangle of the copy with those in its boxes: earlier ones of the copy have been. */
-static bool crosses_any(const triangle_grid *grid, size_t triangle, size_t outer_count,
-                        int32_t point_count, uint8_t *marked) {
-  double bounds[6], others[6];
-  size_t first[3], last[3], box[3];
+typedef struct comparison {
+  const triangle_grid *grid;
+  size_t outer_count; /* triangles of the surface, before the copy's */
+  int32_t point_count;
+  uint8_t *marked;
+} comparison;
+
+/** Compare a triangle of the copy with those in a box: with earlier ones of the copy it has been.
+ */
+static bool crosses_in_box(const comparison *c, size_t triangle, const double bounds[6],
+                           const size_t box[3]) {
+  const triangle_grid *grid = c->grid;
+  size_t index = triangle_grid_index(grid, box);
   bool found = false;
-  triangle_bounds(grid, triangle, bounds);
-  for (size_t k = 0; k < 3; k++) {
-    first[k] = triangle_grid_box(grid, k, bounds[k]);
-    last[k] = triangle_grid_box(grid, k, bounds[3 + k]);
+  for (size_t i = grid->starts[index]; i < grid->starts[index + 1]; i++) {
+    size_t other = (size_t)grid->items[i];
+    double others[6];
+    if (other >= c->outer_count && other <= triangle)
+      continue;
+    triangle_bounds(grid, other, others);
+    if (!bounds_meet(bounds, others) || are_neighbours(grid, triangle, other, c->point_count))
+      continue;
+    if (pierces(grid, triangle, other) || pierces(grid, other, triangle)) {
+      mark_points(grid, other, c->point_count, c->marked);
+      found = true;
+    }
   }
-  for (box[2] = first[2]; box[2] <= last[2]; box[2]++)
-    for (box[1] = first[1]; box[1] <= last[1]; box[1]++)
-      for (box[0] = first[0]; box[0] <= last[0]; box[0]++) {
-        size_t index = triangle_grid_index(grid, box);
-        for (size_t i = grid->starts[index]; i < grid->starts[index + 1]; i++) {
-          size_t other = (size_t)grid->items[i];
-          if (other >= outer_count && other <= triangle)
-            continue;
-          triangle_bounds(grid, other, others);
-          if (!bounds_meet(bounds, others) || are_neighbours(grid, triangle, other, point_count))
-            continue;
-          if (pierces(grid, triangle, other) || pierces(grid, other, triangle)) {
-            mark_points(grid, other, point_count, marked);
-            found = true;
-          }
-        }
-      }
+  return found;
+}
+
+static bool crosses_any(const comparison *c, size_t triangle) {
+  double bounds[6];
+  size_t box[3];
+  bool found = false;
+  triangle_bounds(c->grid, triangle, bounds);
+  box_range r = triangle_grid_boxes(c->grid, bounds);
+  for (box[2] = r.first[2]; box[2] <= r.last[2]; box[2]++)
+    for (box[1] = r.first[1]; box[1] <= r.last[1]; box[1]++)
+      for (box[0] = r.first[0]; box[0] <= r.last[0]; box[0]++)
+        found |= crosses_in_box(c, triangle, bounds, box);
+  if (found)
+    mark_points(c->grid, triangle, c->point_count, c->marked);
   return found;
 }
 
@@ -114,11 +128,9 @@ hexcon_status crossing_triangles_mark(hexcon_context *context, const surface *s,
   hexcon_status status = gather(context, s, inner, &points, &triangles);
   if (!status)
     status = triangle_grid_new(context, points, triangles, 2 * outer, &grid);
+  comparison c = {&grid, outer, (int32_t)s->point_count, marked};
   for (size_t t = outer; !status && t < 2 * outer; t++)
-    if (crosses_any(&grid, t, outer, (int32_t)s->point_count, marked)) {
-      mark_points(&grid, t, (int32_t)s->point_count, marked);
-      ++*count;
-    }
+    *count += crosses_any(&c, t);
   triangle_grid_free(context, &grid);
   context_free(context, points);
   context_free(context, triangles);

@@ -57,21 +57,27 @@ size_t triangle_grid_box(const triangle_grid *grid, size_t axis, double coordina
   return place < (double)grid->counts[axis] ? (size_t)place : grid->counts[axis] - 1;
 }
 
+box_range triangle_grid_boxes(const triangle_grid *grid, const double bounds[6]) {
+  box_range range;
+  for (size_t k = 0; k < 3; k++) {
+    range.first[k] = triangle_grid_box(grid, k, bounds[k]);
+    range.last[k] = triangle_grid_box(grid, k, bounds[3 + k]);
+  }
+  return range;
+}
+
 typedef enum filing { COUNTING, LISTING } filing;
 
 /** Go through the boxes of every triangle: count it there, or list it, from the box's end on. */
 static void file_all(triangle_grid *grid, filing what) {
   for (size_t t = grid->triangle_count; t-- > 0;) {
     double bounds[6];
-    size_t first[3], last[3], box[3];
+    size_t box[3];
     triangle_bounds(grid, t, bounds);
-    for (size_t k = 0; k < 3; k++) {
-      first[k] = triangle_grid_box(grid, k, bounds[k]);
-      last[k] = triangle_grid_box(grid, k, bounds[3 + k]);
-    }
-    for (box[2] = first[2]; box[2] <= last[2]; box[2]++)
-      for (box[1] = first[1]; box[1] <= last[1]; box[1]++)
-        for (box[0] = first[0]; box[0] <= last[0]; box[0]++) {
+    box_range r = triangle_grid_boxes(grid, bounds);
+    for (box[2] = r.first[2]; box[2] <= r.last[2]; box[2]++)
+      for (box[1] = r.first[1]; box[1] <= r.last[1]; box[1]++)
+        for (box[0] = r.first[0]; box[0] <= r.last[0]; box[0]++) {
           size_t *start = &grid->starts[triangle_grid_index(grid, box)];
           if (what == COUNTING)
             ++*start;

@@ -36,6 +36,14 @@ static inline size_t triangle_grid_index(const triangle_grid *grid, const size_t
 /** Bounds of a triangle: low[3], then high[3]. */
 void triangle_bounds(const triangle_grid *grid, size_t triangle, double bounds[6]);
 
+/** A block of boxes, from first to last along each axis. */
+typedef struct box_range {
+  size_t first[3], last[3];
+} box_range;
+
+/** The boxes that bounds meet. */
+box_range triangle_grid_boxes(const triangle_grid *grid, const double bounds[6]);
+
 static inline const double *triangle_corner(const triangle_grid *grid, size_t triangle, size_t i) {
   return grid->points + 3 * (size_t)grid->triangles[3 * triangle + i];
 }
