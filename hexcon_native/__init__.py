@@ -119,6 +119,16 @@ class Loops:
         return f"<{len(self)} loops, {crossing} cross themselves>"
 
 
+_EMBEDDED = (None, True, False)  # hexcon_embedded
+
+
+def _set_embedding(owner, embedding):
+    owner.embedded = _EMBEDDED[embedding["embedded"]]
+    owner.crossings = _array(embedding["pairs"], np.int32, 2)
+    owner.crossings.flags.writeable = False
+    owner.embedding_reason = embedding["reason"]
+
+
 class SurfaceReport:
     """Facts of a closed quad surface.
 
@@ -126,6 +136,10 @@ class SurfaceReport:
     genus, components     of the whole, the genus summed over the components; euler = points - edges + quads
     cavities              components inside an odd number of others; components - cavities are bodies
     even                  every component has an even number of quads
+    embedded              True: it crosses and touches itself nowhere (as bilinear patches, proved); False:
+                          `crossings` do; None: these come too near to each other to tell
+    crossings             (K, 2) int32 quads, K <= 1000; the same twice: a flat quad that is folded
+    embedding_reason      words for what is not True; "" if it is
     bipartite             the points can be coloured black and white along edges
     fillable              a hex mesh with this boundary exists, as a complex (Erickson 2014): the quads are
                           even in number, and no odd closed path of edges bounds inside. None: not
@@ -140,8 +154,9 @@ class SurfaceReport:
     loops                 Loops
     """
 
-    def __init__(self, facts, loop_figures):
+    def __init__(self, facts, loop_figures, embedding):
         self.n = facts["quads"]
+        _set_embedding(self, embedding)
         for name in ("points", "edges", "genus", "components", "cavities", "euler", "even", "bipartite",
                      "oriented", "convex", "star_margin"):
             setattr(self, name, facts[name])
@@ -153,6 +168,7 @@ class SurfaceReport:
     def as_dict(self):
         """Plain numbers, for JSON."""
         facts = {k: v for k, v in vars(self).items() if k not in ("loops", "star_center")}
+        facts["crossings"] = self.crossings.tolist()
         facts["star_center"] = None if self.star_center is None else self.star_center.tolist()
         facts["loops"] = {"count": len(self.loops),
                           "lengths": self.loops.lengths.tolist(),
@@ -189,15 +205,17 @@ def check_surface(points, quads):
     Returns a SurfaceReport. Raises HexconError with codes WRONG_SHAPE, WRONG_TYPE, EMPTY,
     TOO_LARGE, INDEX_OUT_OF_RANGE, NOT_FINITE, REPEATED_VERTEX, UNUSED_POINT, NON_MANIFOLD_EDGE,
     NOT_CLOSED, NOT_ORIENTABLE, INCONSISTENT_ORIENTATION, NON_MANIFOLD_VERTEX, OUT_OF_MEMORY.
-    An odd, a non-bipartite or an inward surface, or one of several components, is reported, not
-    raised. Cost: linear in n; of a surface that is not bipartite near-linear, times the genus squared.
+    An odd, a non-bipartite or an inward surface, one of several components, or one that crosses
+    itself, is reported, not raised. Cost: n log n; of a surface that is not bipartite near-linear, times the genus squared.
     """
     quads = _ids(quads, 4, "quads")
-    facts = _core.check_surface(_points(points), quads)
+    points = _points(points)
+    facts = _core.check_surface(points, quads)
+    embedding = _core.embedding(points, quads, None)
     offsets, _, crossings = _core.loops(quads)
     figures = Loops(np.diff(_array(offsets, np.uintp)).astype(np.int64),
                     _array(crossings, np.uintp).astype(np.int64))
-    return SurfaceReport(facts, figures)
+    return SurfaceReport(facts, figures, embedding)
 
 
 def loops(quads):
@@ -261,6 +279,11 @@ class Certificate:
     conforming       a 3-manifold: faces in at most two hexes, links are spheres or discs
     proper           two hexes meet in nothing, one vertex, one edge or one face
     boundary_exact   the faces in one hex only are the given quads, outward
+    embedded         True: the boundary, each quad the bilinear patch on its corners, crosses and touches
+                     itself nowhere, and no body lies in another: with the rest above, no two hexes
+                     overlap. False: `crossings` do. None: not told, `embedding_reason` says why
+    crossings        (K, 2) int32, pairs of given quads, K <= 1000
+    embedding_reason words for what is not True; "" if it is
     nonpositive      (K,) int32, hexes whose Jacobian is not proved positive
     witnesses        (K, 3) float64, of each of them local coordinates in [0, 1]^3 where the Jacobian
                      is proved zero or negative: corner 0 of the hex lies at (0, 0, 0), 1 at
@@ -284,13 +307,14 @@ class Certificate:
         self.witnesses = _array(facts["witnesses"], np.float64, 3)
         self.doublets = _array(facts["doublets"], np.int32, 2)
         self.improper = _array(facts["improper"], np.int32)
+        _set_embedding(self, facts["embedding"])
         for array in (self.nonpositive, self.witnesses, self.doublets, self.improper):
             array.flags.writeable = False
 
     def as_dict(self):
         """Plain numbers, for JSON; lists are cut at 1000 entries; no witness: None."""
         facts = dict(vars(self))
-        for name in ("nonpositive", "doublets", "improper"):
+        for name in ("nonpositive", "doublets", "improper", "crossings"):
             facts[name + "_count"] = len(facts[name])
             facts[name] = facts[name][:1000].tolist()
         facts["witnesses"] = [None if np.isnan(point[0]) else point.tolist()
@@ -301,7 +325,8 @@ class Certificate:
         if self.certified:
             return "<certified>"
         return (f"<not certified: conforming {self.conforming}, proper {self.proper}, boundary "
-                f"exact {self.boundary_exact}, {len(self.nonpositive)} hexes not positive>")
+                f"exact {self.boundary_exact}, embedded {self.embedded}, {len(self.nonpositive)} hexes not "
+                f"positive>")
 
 
 class Quality:
@@ -363,7 +388,8 @@ class Mesh:
 
 
 def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahedralise=None,
-         pairing="all", core=True, budget=0.0, progress=None, allow_uncertified=False, certify=True):
+         pairing="all", core=True, budget=0.0, progress=None, allow_uncertified=False,
+         allow_topological=False, certify=True):
     """Fill a closed quad surface with hexes whose boundary is exactly its quads.
 
     points, quads      as check_surface
@@ -411,9 +437,13 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
                        stage's name: "optimisation, 64 hexes, worst scaled Jacobian 0.312", or
                        "untangling, 3 of 64 hexes inverted"
     allow_uncertified  return the best mesh found even if its certificate fails
+    allow_topological  topological methods: take a surface that crosses or touches itself too; its hexes
+                       overlap, and the certificate's `embedded` says so
     certify            False: prove nothing; the mesh has no certificate, and a topological one no
                        quality
-    Returns a Mesh. Raises HexconError: those of check_surface, SEVERAL_COMPONENTS
+    Returns a Mesh. Raises HexconError: those of check_surface, SELF_INTERSECTING (elements: quads,
+    pair after pair, at most 1000 in all: the surface crosses or touches itself there, or comes too near to
+    itself to tell), SEVERAL_COMPONENTS
     (elements: one quad of each body), ODD (of a single shell of several: elements: one quad of each
     such shell), NO_HEX_MESH (elements: points of closed paths, mostly one, that bound inside and are
     odd: no hex mesh exists; of all methods but four-split), NOT_SWEPT
@@ -437,7 +467,7 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
     return Mesh(_core.mesh(_points(points), _ids(quads, 4, "quads"), METHODS[method], int(order),
                            allow_uncertified, threads, layers, mesher,
                            _GIVEN_PAIRS if given is not None else PAIRINGS[pairing], given,
-                           not certify, not core, float(budget), progress))
+                           not certify, not core, allow_topological, float(budget), progress))
 
 
 class _Mesher:

@@ -42,6 +42,7 @@ class ErrorCode(enum.IntEnum):
     NOT_CERTIFIED: int
     NO_SMALL_FILLING: int
     NO_HEX_MESH: int
+    SELF_INTERSECTING: int
 
 class Loops:
     lengths: NDArray[np.int64]
@@ -57,6 +58,9 @@ class SurfaceReport:
     cavities: int
     euler: int
     even: bool
+    embedded: bool | None
+    crossings: NDArray[np.int32]
+    embedding_reason: str
     bipartite: bool
     fillable: bool | None
     oriented: bool
@@ -72,6 +76,9 @@ class Certificate:
     conforming: bool
     proper: bool
     boundary_exact: bool
+    embedded: bool | None
+    crossings: NDArray[np.int32]
+    embedding_reason: str
     euler: int
     undecided: int
     nonpositive: NDArray[np.int32]
@@ -109,7 +116,8 @@ def mesh(points: ArrayLike, quads: ArrayLike, method: str = ..., *, order: int =
                                   tuple[ArrayLike, ArrayLike] | None] | None = ...,
          pairing: str | ArrayLike = ..., core: bool = ..., budget: float = ...,
          progress: Progress | None = ...,
-         allow_uncertified: bool = ..., certify: bool = ...) -> Mesh: ...
+         allow_uncertified: bool = ..., allow_topological: bool = ...,
+         certify: bool = ...) -> Mesh: ...
 def check_options(method: str = ..., *, order: int = ..., layers: int = ..., threads: int = ...,
                   pairing: str | ArrayLike = ..., budget: float = ...) -> None: ...
 def quality(points: ArrayLike, hexes: ArrayLike) -> Quality: ...

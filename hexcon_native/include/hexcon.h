@@ -71,6 +71,8 @@ typedef enum hexcon_status {
   HEXCON_NO_ROTATIONS,       /**< no rotations of edges that lead to loops which can go */
   HEXCON_NO_HEX_MESH,        /**< no hex mesh exists: closed paths of an odd number of edges
                                   bound a surface inside; elements: their points, in order */
+  HEXCON_SELF_INTERSECTING,  /**< the surface crosses or touches itself, or comes too near to tell;
+                                  elements: quads, pair after pair; twice the same: it is folded */
   HEXCON_STATUS_COUNT
 } hexcon_status;
 
@@ -153,6 +155,43 @@ hexcon_status hexcon_check_surface(hexcon_context *context, const double *points
                                    size_t point_count, const int32_t *quads, size_t quad_count,
                                    hexcon_surface_report *report);
 
+/** Whether a surface crosses and touches itself nowhere. */
+typedef enum hexcon_embedded {
+  HEXCON_EMBEDDED_UNKNOWN = 0,
+  HEXCON_EMBEDDED_YES,
+  HEXCON_EMBEDDED_NO,
+  HEXCON_EMBEDDED_COUNT
+} hexcon_embedded;
+
+/** More pairs than these are not looked for. */
+#define HEXCON_MAX_EMBEDDING_PAIRS 1000
+
+/** What is proved of the places of a surface's quads. */
+typedef struct hexcon_embedding {
+  hexcon_embedded embedded;
+  size_t pair_count;
+  /** [pair_count][2] quads, the lower id first, ascending. NO: they cross or touch where they do
+   * not share points; the same twice: a flat quad that is not convex, so that its patch is folded.
+   * UNKNOWN: they come too near to each other to tell. */
+  int32_t *pairs;
+  size_t twin_count; /**< points at a place where another one stands; then pairs are theirs alone */
+  char reason[160];  /**< words for what is not YES; "" if it is */
+} hexcon_embedding;
+
+/**
+ * Prove that a surface crosses and touches itself nowhere: each quad is the bilinear patch on its
+ * corners, and two of them have in common the points and edges that they share by ids, nothing
+ * else. Decided exactly for quads in planes and points that coincide; for warped ones down to some
+ * 10^-14 of their size, below that it may be UNKNOWN. Expected n log n.
+ * @param embedding  filled; free with hexcon_embedding_free
+ * Errors: EMPTY, TOO_LARGE, INDEX_OUT_OF_RANGE, NOT_FINITE, REPEATED_VERTEX, UNUSED_POINT,
+ * OUT_OF_MEMORY, CANCELLED.
+ */
+hexcon_status hexcon_surface_embedding(hexcon_context *context, const double *points,
+                                       size_t point_count, const int32_t *quads, size_t quad_count,
+                                       hexcon_embedding *embedding);
+void hexcon_embedding_free(hexcon_context *context, hexcon_embedding *embedding);
+
 /** Dual loops of a surface: loop i passes quads[offsets[i]] .. quads[offsets[i + 1] - 1]. */
 typedef struct hexcon_loops {
   size_t count;           /**< of loops */
@@ -218,9 +257,10 @@ hexcon_status hexcon_quality(hexcon_context *context, const double *points, size
 
 /** What is proved of a hex mesh. */
 typedef struct hexcon_certificate {
-  bool certified;      /**< conforming, proper, boundary_exact and every Jacobian positive */
-  bool conforming;     /**< a 3-manifold: faces in at most 2 hexes, links are spheres or discs */
-  bool proper;         /**< two hexes meet in nothing, one vertex, one edge or one face */
+  bool certified;  /**< conforming, proper, boundary_exact, embedded and every Jacobian positive:
+                        then no two hexes overlap */
+  bool conforming; /**< a 3-manifold: faces in at most 2 hexes, links are spheres or discs */
+  bool proper;     /**< two hexes meet in nothing, one vertex, one edge or one face */
   bool boundary_exact; /**< the faces in one hex only are the given quads, outward */
   int64_t euler;       /**< points used - edges + faces - hexes */
   size_t nonpositive_count;
@@ -238,12 +278,18 @@ typedef struct hexcon_certificate {
   int32_t *doublets; /**< [doublet_count][2] hexes that share two or more faces */
   size_t improper_count;
   int32_t *improper; /**< hexes with a pair that meets improperly (at most one id a pair) */
+  /** Of the boundary, and that no body lies in another; UNKNOWN where it is not exact. Its pairs
+   * are rows of the given quads. */
+  hexcon_embedding embedding;
 } hexcon_certificate;
 
 /**
  * Prove a hex mesh: topology by counting, Jacobians by Bernstein coefficients with subdivision, a
- * rigorous bound on rounding, and exact arithmetic where that bound leaves the sign open. Shares no
- * code with the builder. Expected linear, whatever the numbering.
+ * rigorous bound on rounding, and exact arithmetic where that bound leaves the sign open, and the
+ * boundary embedded as hexcon_surface_embedding does. With these the mesh covers each place within
+ * once and none without: where all Jacobians are positive every place is covered as often as the
+ * boundary winds round it. Shares no code with the builder. Expected linear, whatever the
+ * numbering, but for n log n in the boundary.
  * @param quads  [quad_count][4] the surface, outward
  * @param certificate  filled; free with hexcon_certificate_free
  * Errors: EMPTY, TOO_LARGE, INDEX_OUT_OF_RANGE, NOT_FINITE, REPEATED_VERTEX, OUT_OF_MEMORY,
@@ -403,7 +449,9 @@ typedef struct hexcon_mesh_options {
                               quality out too. auto proves all the same */
   double budget;         /**< seconds after which nothing new is begun, and what is being done is
                               given up; the best mesh until then is taken. 0: no limit */
-  bool no_core;          /**< sheets: do not fill what the layers leave, but refuse: NO_SHEETS */
+  bool allow_topological; /**< topological methods: take a surface that crosses or touches itself
+                             too: its hexes overlap, as the certificate says */
+  bool no_core;           /**< sheets: do not fill what the layers leave, but refuse: NO_SHEETS */
 } hexcon_mesh_options;
 
 /** Result of hexcon_mesh_surface. */
@@ -413,12 +461,12 @@ typedef struct hexcon_mesh hexcon_mesh;
  * Fill a surface with hexes. The first point_count rows of the result are the input points.
  * @param options  NULL for defaults
  * @param mesh     receives the result; free with hexcon_mesh_free
- * Errors: those of hexcon_check_surface, SEVERAL_COMPONENTS, ODD, NO_HEX_MESH (all methods but
- * four-split), NOT_BIPARTITE, NOT_SWEPT, UNFILLABLE_QUAD, NOT_STAR_SHAPED, NO_SHEETS, NOT_DICED,
- * NO_SMALL_FILLING, NO_ROTATIONS, NO_PAIRING, BAD_PAIRING, SELF_CROSSING, NO_SIDES, NOT_A_BALL,
- * NOT_CERTIFIED, CANCELLED, OUT_OF_TIME, BAD_ARGUMENT, OUT_OF_MEMORY; `mesh` is then NULL. A
- * topological mesh that is conforming and has the surface for its boundary is no error. Cost:
- * linear in the hexes made, plus the optimisation of what is bad.
+ * Errors: those of hexcon_check_surface, SELF_INTERSECTING, SEVERAL_COMPONENTS, ODD, NO_HEX_MESH
+ * (all methods but four-split), NOT_BIPARTITE, NOT_SWEPT, UNFILLABLE_QUAD, NOT_STAR_SHAPED,
+ * NO_SHEETS, NOT_DICED, NO_SMALL_FILLING, NO_ROTATIONS, NO_PAIRING, BAD_PAIRING, SELF_CROSSING,
+ * NO_SIDES, NOT_A_BALL, NOT_CERTIFIED, CANCELLED, OUT_OF_TIME, BAD_ARGUMENT, OUT_OF_MEMORY; `mesh`
+ * is then NULL. A topological mesh that is conforming and has the surface for its boundary is no
+ * error. Cost: linear in the hexes made, plus the optimisation of what is bad.
  */
 hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points, size_t point_count,
                                   const int32_t *quads, size_t quad_count,

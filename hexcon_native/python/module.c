@@ -191,16 +191,50 @@ static PyObject *quality(PyObject *module, PyObject *arguments) {
   return values;
 }
 
+static PyObject *embedding_as_dict(const hexcon_embedding *e) {
+  return Py_BuildValue("{s:i,s:N,s:n,s:s}", "embedded", (int)e->embedded, "pairs",
+                       buffer_copy(e->pairs, 2 * e->pair_count, sizeof(int32_t)), "twins",
+                       (Py_ssize_t)e->twin_count, "reason", e->reason);
+}
+
+static PyObject *embedding(PyObject *module, PyObject *arguments) {
+  (void)module;
+  Py_buffer points, quads;
+  PyObject *callback;
+  if (!PyArg_ParseTuple(arguments, "y*y*O", &points, &quads, &callback))
+    return NULL;
+  run r;
+  PyObject *result = NULL;
+  if (run_begin(&r, callback)) {
+    hexcon_embedding found;
+    run_release(&r);
+    hexcon_status status =
+        hexcon_surface_embedding(r.context, points.buf, buffer_rows(&points, 3, sizeof(double)),
+                                 quads.buf, buffer_rows(&quads, 4, sizeof(int32_t)), &found);
+    run_acquire(&r);
+    if (!status) {
+      result = embedding_as_dict(&found);
+      hexcon_embedding_free(r.context, &found);
+    }
+    if (!run_end(&r, status))
+      Py_CLEAR(result);
+  }
+  PyBuffer_Release(&points);
+  PyBuffer_Release(&quads);
+  return result;
+}
+
 static PyObject *certificate_as_dict(const hexcon_certificate *c) {
   return Py_BuildValue(
-      "{s:N,s:N,s:N,s:N,s:L,s:N,s:N,s:n,s:N,s:N}", "certified", boolean(c->certified), "conforming",
-      boolean(c->conforming), "proper", boolean(c->proper), "boundary_exact",
+      "{s:N,s:N,s:N,s:N,s:L,s:N,s:N,s:n,s:N,s:N,s:N}", "certified", boolean(c->certified),
+      "conforming", boolean(c->conforming), "proper", boolean(c->proper), "boundary_exact",
       boolean(c->boundary_exact), "euler", (long long)c->euler, "nonpositive",
       buffer_copy(c->nonpositive, c->nonpositive_count, sizeof(int32_t)), "witnesses",
       buffer_copy(c->witnesses, 3 * c->nonpositive_count, sizeof(double)), "undecided",
       (Py_ssize_t)c->undecided_count, "doublets",
       buffer_copy(c->doublets, 2 * c->doublet_count, sizeof(int32_t)), "improper",
-      buffer_copy(c->improper, c->improper_count, sizeof(int32_t)));
+      buffer_copy(c->improper, c->improper_count, sizeof(int32_t)), "embedding",
+      embedding_as_dict(&c->embedding));
 }
 
 static PyObject *certify(PyObject *module, PyObject *arguments) {
@@ -354,12 +388,13 @@ static PyObject *mesh_as_dict(const hexcon_mesh *mesh) {
 static PyObject *mesh(PyObject *module, PyObject *arguments) {
   (void)module;
   Py_buffer points, quads, pairs; /* pairs: buf is NULL for None */
-  int method, order, allow_uncertified, threads, layers, pairing, skip_certificate, no_core;
+  int method, order, allow_uncertified, threads, layers, pairing, skip_certificate, no_core,
+      allow_topological;
   double budget;
   PyObject *callback, *tetrahedralise;
-  if (!PyArg_ParseTuple(arguments, "y*y*iipiiOiz*ppdO", &points, &quads, &method, &order,
+  if (!PyArg_ParseTuple(arguments, "y*y*iipiiOiz*pppdO", &points, &quads, &method, &order,
                         &allow_uncertified, &threads, &layers, &tetrahedralise, &pairing, &pairs,
-                        &skip_certificate, &no_core, &budget, &callback))
+                        &skip_certificate, &no_core, &allow_topological, &budget, &callback))
     return NULL;
   run r;
   PyObject *result = NULL;
@@ -378,6 +413,7 @@ static PyObject *mesh(PyObject *module, PyObject *arguments) {
                                    .pair_count = (size_t)pairs.len / (2 * sizeof(int32_t)),
                                    .skip_certificate = skip_certificate != 0,
                                    .no_core = no_core != 0,
+                                   .allow_topological = allow_topological != 0,
                                    .budget = budget};
     run_release(&r);
     hexcon_status status =
@@ -401,6 +437,7 @@ static PyObject *mesh(PyObject *module, PyObject *arguments) {
 static PyMethodDef methods[] = {
     {"status_codes", status_codes, METH_NOARGS, "status_codes() -> dict of name to number"},
     {"check_surface", check_surface, METH_VARARGS, "check_surface(points, quads) -> dict"},
+    {"embedding", embedding, METH_VARARGS, "embedding(points, quads, progress) -> dict"},
     {"loops", loops, METH_VARARGS, "loops(quads) -> (offsets, quads, self_crossings)"},
     {"colouring", colouring, METH_VARARGS, "colouring(quads, point_count) -> bytearray"},
     {"pairing", pairing, METH_VARARGS,
@@ -416,7 +453,8 @@ static PyMethodDef methods[] = {
     {"raise_order", raise_order, METH_VARARGS, "raise_order(points, hexes) -> (points, hexes)"},
     {"mesh", mesh, METH_VARARGS,
      "mesh(points, quads, method, order, allow_uncertified, threads, layers, tetrahedralise, "
-     "pairing, pairs or None, skip_certificate, no_core, budget, progress) -> dict"},
+     "pairing, pairs or None, skip_certificate, no_core, allow_topological, budget, progress) -> "
+     "dict"},
     {NULL, NULL, 0, NULL}};
 
 static PyModuleDef_Slot slots[] = {{0, NULL}};

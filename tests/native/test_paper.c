@@ -428,15 +428,18 @@ static void damaged_options(void **state) {
   test_mesh_free(&torus);
 }
 
-/** Two quads have the same corners: in a mesh, both would be one face. */
+/** Two quads have the same corners: in a mesh, both would be one face; and they are one patch. */
 static void two_quads(void **state) {
   (void)state;
   static const double points[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}};
   static const int32_t quads[2][4] = {{0, 1, 2, 3}, {3, 2, 1, 0}}, both[2] = {0, 1};
   test_mesh pillow = make_surface(points, 4, quads, 2);
-  for (size_t m = 0; m < METHODS; m++)
-    assert_int_equal(try_options(&pillow, (hexcon_mesh_options){.method = methods[m]}, both, 2),
-                     HEXCON_UNFILLABLE_QUAD);
+  for (size_t m = 0; m < METHODS; m++) {
+    hexcon_mesh_options options = {.method = methods[m], .allow_topological = true};
+    assert_int_equal(try_options(&pillow, options, both, 2), HEXCON_UNFILLABLE_QUAD);
+    options.allow_topological = false;
+    assert_int_equal(try_options(&pillow, options, both, 2), HEXCON_SELF_INTERSECTING);
+  }
   test_mesh_free(&pillow);
 }
 

@@ -255,7 +255,7 @@ def test_info(tmp_path):
     surface = surface_of(block(2, 2, 2))
     found = facts("info", put(tmp_path / "s.obj", *surface))
     assert (found["n"], found["points"], found["genus"], found["components"]) == (24, 26, 0, 1)
-    assert found["even"] and found["bipartite"] and found["convex"]
+    assert found["even"] and found["bipartite"] and found["convex"] and found["embedded"] and not found["crossings"]
     assert found["volume"] == pytest.approx(1.0)
     assert found["loops"] == {"count": 6, "lengths": [8] * 6, "self_crossings": [0] * 6}
     crossing = put(tmp_path / "crossing.obj", *turn_edge(surface, 0))
@@ -263,7 +263,7 @@ def test_info(tmp_path):
     assert sorted(found["loops"]["self_crossings"]) == [0, 0, 0, 6] and found["even"]
     assert "4, 1 of them cross themselves (6 crossings)" in hexcon("info", crossing).stdout
     told = facts("mesh", crossing, "--method", "swept", "-o", tmp_path / "x.inp", status=1)
-    assert told["code"] == "NOT_SWEPT" and told["elements"]
+    assert told["code"] == "SELF_INTERSECTING" and told["elements"]  # the turned quads lie on their neighbours
 
 
 def test_info_names_an_odd_surface(things):

@@ -199,7 +199,7 @@ def test_frames_link_the_knot():
                                           ((7, 6), (6, 4)), ((8, 6), (5, 4)), ((7, 4), (6, 3)), ((7, 8), (6, 7))])
 def test_hollow_torus(outer, inner):
     """Between two tori, meridians bound together, and longitudes."""
-    points, quads = hollow(tube(circle, *outer, 1.0), tube(circle, *inner, 0.5))
+    points, quads = hollow(tube(circle, *outer, 1.0), tube(circle, *inner, 0.25))
     even = (np.array(outer) + inner) % 2 == 0
     assert told(points, quads) == (len(quads) % 2 == 0 and even.all())
     if len(quads) % 2 == 0 and not even.all():

@@ -94,11 +94,15 @@ def test_a_ball_is_no_worse_than_the_cube_in_it(n):
 
 def test_grids_with_random_sheets_are_found_again():
     """From the surface alone; as few hexes, and certified wherever the mesh it came from can be."""
-    certified_count = 0
+    certified_count = refused = 0
     for seed in range(60):
         rng = np.random.default_rng(seed)
         points, hexes = random_sheets(rng, int(rng.integers(1, 6)))
-        mesh = hn.mesh(*permuted(boundary(points, hexes), rng), "sheets", allow_uncertified=True)
+        surface = permuted(boundary(points, hexes), rng)
+        if hn.check_surface(*surface).embedded is not True:  # sheets that fold the boundary's flat sides
+            refused += 1
+            continue
+        mesh = hn.mesh(*surface, "sheets", allow_uncertified=True)
         proved = mesh.certificate
         assert proved.conforming and proved.proper and proved.boundary_exact
         assert len(mesh.hexes) <= 1.5 * len(hexes)
@@ -106,7 +110,7 @@ def test_grids_with_random_sheets_are_found_again():
         if not proved.certified:
             fixed = np.isin(np.arange(len(points)), quads_of(hexes))
             assert hn.quality(hn.optimize(points, hexes, fixed), hexes).min <= 0.02
-    assert certified_count >= 45
+    assert certified_count >= 45 and refused <= 5
 
 
 def test_the_result_does_not_depend_on_threads_and_chance():

@@ -37,6 +37,7 @@ static const char *const status_names[HEXCON_STATUS_COUNT] = {
     [HEXCON_NO_SMALL_FILLING] = "NO_SMALL_FILLING",
     [HEXCON_NO_ROTATIONS] = "NO_ROTATIONS",
     [HEXCON_NO_HEX_MESH] = "NO_HEX_MESH",
+    [HEXCON_SELF_INTERSECTING] = "SELF_INTERSECTING",
 };
 
 const char *hexcon_status_name(int status) {

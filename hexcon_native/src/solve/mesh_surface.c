@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "embedding/embedding.h"
 #include "mesh_auto.h"
 #include "mesh_cells.h"
 #include "mesh_diced.h"
@@ -138,10 +139,44 @@ static hexcon_status check_odd_cycles(hexcon_context *context, const surface *s,
   return status;
 }
 
+static hexcon_status refuse_embedding(hexcon_context *context, const hexcon_embedding *found) {
+  for (size_t i = 0; i < 2 * found->pair_count; i++)
+    context_add_element(context, found->pairs[i]);
+  return context_fail(
+      context, HEXCON_SELF_INTERSECTING,
+      "the surface bounds no solid: %s (listed, pair after pair). Where a thin wall "
+      "or a small radius is meshed too coarsely a smaller size helps",
+      found->reason);
+}
+
+/** Quads that are folded, each by itself, are the methods' business: some say what is wrong there,
+ * and topology does not care. */
+static bool only_folds(const hexcon_embedding *found) {
+  for (size_t i = 0; i < found->pair_count; i++)
+    if (found->pairs[2 * i] != found->pairs[2 * i + 1])
+      return false;
+  return found->embedded == HEXCON_EMBEDDED_NO;
+}
+
+static hexcon_status check_embedding(hexcon_context *context, const surface *s,
+                                     const hexcon_mesh_options *options) {
+  hexcon_embedding found;
+  if (options->allow_topological && method_is_topological(options->method))
+    return HEXCON_OK;
+  hexcon_status status =
+      embedding_prove(context, s->points, s->point_count, s->quads, s->quad_count, &found);
+  if (!status && found.embedded != HEXCON_EMBEDDED_YES && !only_folds(&found))
+    status = refuse_embedding(context, &found);
+  hexcon_embedding_free(context, &found);
+  return status;
+}
+
 /** What any hex mesh of one body needs of its boundary. */
 static hexcon_status check_fillable(hexcon_context *context, const surface *s,
                                     const hexcon_mesh_options *options, hexcon_fillable *fillable) {
-  hexcon_status status = check_one_body(context, s);
+  hexcon_status status = check_embedding(context, s, options);
+  if (!status)
+    status = check_one_body(context, s);
   if (!status)
     status = check_even(context, s);
   return status ? status : check_odd_cycles(context, s, options, fillable);
@@ -189,10 +224,12 @@ static hexcon_status judge(hexcon_context *context, const hexcon_mesh_options *o
     context_add_element(context, c->nonpositive[i]);
   return context_fail(context, HEXCON_NOT_CERTIFIED,
                       "the mesh could not be certified: %zu of %zu hexes are not proved positive "
-                      "(listed)%s%s; %s. Allow uncertified meshes to look at it",
+                      "(listed)%s%s%s; %s. Allow uncertified meshes to look at it",
                       c->nonpositive_count, mesh->hex_count,
                       c->conforming && c->proper ? "" : ", its complex is not proper",
                       c->boundary_exact ? "" : ", its boundary differs from the surface",
+                      c->embedding.embedded == HEXCON_EMBEDDED_YES ? ""
+                                                                   : ", its boundary is folded",
                       mesh->bound > 0 ? "a finer surface may help"
                                       : "the surface's own corners leave no room for a valid hex "
                                         "there");

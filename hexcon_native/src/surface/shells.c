@@ -110,18 +110,59 @@ static double half_solid_angle(const double from[3], const double *const corners
                                                                   vector_dot(arms[2], arms[0]));
 }
 
+/** Two triangles are seen like the bilinear patch, but from between them: there it is cut in four.
+ */
+static bool lies_near(const double from[3], double corners[4][3]) {
+  for (int axis = 0; axis < 3; axis++) {
+    double low = INFINITY, high = -INFINITY;
+    for (int c = 0; c < 4; c++) {
+      low = fmin(low, corners[c][axis]);
+      high = fmax(high, corners[c][axis]);
+    }
+    if (from[axis] < low || from[axis] > high)
+      return false;
+  }
+  return true;
+}
+
+static double half_angle_of_triangles(const double from[3], double corners[4][3]) {
+  const double *const first[3] = {corners[0], corners[1], corners[2]};
+  const double *const second[3] = {corners[0], corners[2], corners[3]};
+  return half_solid_angle(from, first) + half_solid_angle(from, second);
+}
+
+/** A quarter of a patch: from corner c, over the middles of its sides, to its centre. */
+static void quarter(double corners[4][3], int c, double out[4][3]) {
+  for (int axis = 0; axis < 3; axis++) {
+    double here = corners[c][axis], next = corners[(c + 1) & 3][axis],
+           opposite = corners[(c + 2) & 3][axis], last = corners[(c + 3) & 3][axis];
+    out[0][axis] = here;
+    out[1][axis] = (here + next) / 2;
+    out[2][axis] = (here + next + opposite + last) / 4;
+    out[3][axis] = (here + last) / 2;
+  }
+}
+
+static double half_angle_of_patch(const double from[3], double corners[4][3], int depth) {
+  if (depth == 0 || !lies_near(from, corners))
+    return half_angle_of_triangles(from, corners);
+  double sum = 0, part[4][3];
+  for (int c = 0; c < 4; c++) {
+    quarter(corners, c, part);
+    sum += half_angle_of_patch(from, part, depth - 1);
+  }
+  return sum;
+}
+
 /** Whether a shell winds round a point, in either sense. */
 static bool winds_round(const nest *n, const closed_shell *shell, const double point[3]) {
-  static const int split[2][3] = {{0, 1, 2}, {0, 2, 3}};
   const double half_turn = acos(-1); /* of half solid angles: a whole winding has 2 pi of them */
-  double sum = 0;
-  for (size_t i = shell->first_quad; i < shell->end_quad; i++)
-    for (int half = 0; half < 2; half++) {
-      const double *corners[3];
-      for (int k = 0; k < 3; k++)
-        corners[k] = corner(n->s, 4 * n->quads[i] + split[half][k]);
-      sum += half_solid_angle(point, corners);
-    }
+  double sum = 0, corners[4][3];
+  for (size_t i = shell->first_quad; i < shell->end_quad; i++) {
+    for (int k = 0; k < 4; k++)
+      memcpy(corners[k], corner(n->s, 4 * n->quads[i] + k), sizeof corners[k]);
+    sum += half_angle_of_patch(point, corners, 24);
+  }
   return fabs(sum) > half_turn;
 }
 

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
 #include "certificate.h"
 
+#include <stdio.h>
 #include <string.h>
 
+#include "bodies.h"
+#include "embedding/embedding.h"
 #include "hex_arrays.h"
 #include "jacobian_sign.h"
 #include "proper.h"
@@ -51,6 +54,23 @@ static hexcon_status check_jacobians(hexcon_context *context, const double *poin
   return status;
 }
 
+/** Of a boundary that is not exact nothing is said: its quads may be no surface at all. */
+static hexcon_status check_embedding(hexcon_context *context, const double *points,
+                                     size_t point_count, const int32_t *quads, size_t quad_count,
+                                     hexcon_certificate *certificate) {
+  hexcon_embedding *embedding = &certificate->embedding;
+  if (!certificate->conforming || !certificate->boundary_exact) {
+    (void)snprintf(embedding->reason, sizeof embedding->reason,
+                   "the quads are not the boundary of a conforming mesh");
+    return HEXCON_OK;
+  }
+  hexcon_status status =
+      embedding_prove(context, points, point_count, quads, quad_count, embedding);
+  if (!status && embedding->embedded == HEXCON_EMBEDDED_YES)
+    status = bodies_check(context, points, point_count, quads, quad_count, embedding);
+  return status;
+}
+
 hexcon_status certificate_make(hexcon_context *context, const double *points, size_t point_count,
                                const int32_t *hexes, size_t hex_count, const int32_t *quads,
                                size_t quad_count, hexcon_certificate *certificate) {
@@ -59,8 +79,11 @@ hexcon_status certificate_make(hexcon_context *context, const double *points, si
       topology_check(context, hexes, hex_count, point_count, quads, quad_count, certificate);
   if (!status)
     status = check_jacobians(context, points, hexes, hex_count, certificate);
+  if (!status)
+    status = check_embedding(context, points, point_count, quads, quad_count, certificate);
   certificate->certified = certificate->conforming && certificate->proper &&
-                           certificate->boundary_exact && certificate->nonpositive_count == 0;
+                           certificate->boundary_exact && certificate->nonpositive_count == 0 &&
+                           certificate->embedding.embedded == HEXCON_EMBEDDED_YES;
   if (status)
     hexcon_certificate_free(context, certificate);
   return status;
@@ -96,5 +119,6 @@ void hexcon_certificate_free(hexcon_context *context, hexcon_certificate *certif
   context_free(context, certificate->witnesses);
   context_free(context, certificate->doublets);
   context_free(context, certificate->improper);
+  hexcon_embedding_free(context, &certificate->embedding);
   memset(certificate, 0, sizeof *certificate);
 }

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/expansion.h"
 #include "box_place.h"
-#include "expansion.h"
 #include "hex_tables.h"
 
 enum {

@@ -30,10 +30,19 @@ def _certificate_line(certificate, order=1):
         return "certificate   not checked"
     if certificate.certified:
         straight = " (edges are straight: the proof holds for order 2 as well)" if order == 2 else ""
-        return f"certificate   every Jacobian proved positive, proper, boundary exact{straight}"
+        return f"certificate   every Jacobian proved positive, proper, boundary exact, nothing overlaps{straight}"
     return (f"certificate   NOT certified: conforming {certificate.conforming}, proper "
             f"{certificate.proper}, boundary exact {certificate.boundary_exact}, "
-            f"{len(certificate.nonpositive)} hexes not proved positive")
+            f"{len(certificate.nonpositive)} hexes not proved positive{_overlap(certificate)}")
+
+
+def _unembedded(report):
+    told = "NO" if report.embedded is False else "not told"
+    return f"{told}: {report.embedding_reason} ({_pairs(report.crossings)})"
+
+
+def _overlap(certificate):
+    return "" if certificate.embedded else f"; not proved free of overlaps: {certificate.embedding_reason}"
 
 
 def _quality_line(quality):
@@ -59,7 +68,8 @@ def filling(options):
     """The options of mesh_quad_surface among the command line's."""
     return {"method": options.method, "order": options.order, "layers": options.layers,
             "timeout": options.timeout, "budget": options.budget,
-            "allow_uncertified": options.allow_uncertified, **pairing_option(options.pairing)}
+            "allow_uncertified": options.allow_uncertified, "allow_topological": options.allow_topological,
+            **pairing_option(options.pairing)}
 
 
 def _mesh_input(options):
@@ -163,10 +173,18 @@ def check(options):
         if len(ids):
             lines.append(f"{name:13} hexes {', '.join(map(str, ids[:20]))}"
                          f"{' ...' if len(ids) > 20 else ''}")
+    if len(certificate.crossings):
+        lines.append(f"overlapping   {_pairs(certificate.crossings)}")
     return ({"points": len(found.points), "hexes": len(found.hexes), "order": found.order,
              "quads": len(found.quads), "quality": quality.as_dict(),
              "certificate": certificate.as_dict(), "curved": curved[:1000].tolist(),
              "certified": certificate.certified and not len(curved)}, lines)
+
+
+def _pairs(pairs):
+    """Pairs of quads in words, no more than a line takes."""
+    shown = ", ".join(f"{a} and {b}" for a, b in pairs[:10].tolist())
+    return f"boundary quads {shown}{' ...' if len(pairs) > 10 else ''}"
 
 
 def _curved_hexes(mesh):
@@ -221,6 +239,7 @@ def info(options):
         f"loops         {len(report.loops)}, {crossing} of them cross themselves "
         f"({int(report.loops.self_crossings.sum())} crossings)",
         f"colouring     {'black and white' if report.bipartite else 'impossible: an odd cycle'}",
+        f"embedded      {'yes: it crosses and touches itself nowhere' if report.embedded else _unembedded(report)}",
         f"hex mesh      {FILLABLE[report.fillable]}",
         f"orientation   {'outward' if report.oriented else 'inward, or some shells are (meshing turns them)'}",
         f"shape         {'convex' if report.convex else 'not convex'}, star centre {center}, "

@@ -20,7 +20,7 @@ STEPS = 1000  # of the progress bar
 
 # Faults whose elements are quads of the surface.
 ABOUT_QUADS = {ErrorCode[name] for name in (
-    "UNFILLABLE_QUAD", "NOT_SWEPT", "NO_SHEETS", "NOT_DICED", "SELF_CROSSING", "BAD_PAIRING",
+    "UNFILLABLE_QUAD", "NOT_SWEPT", "NO_SHEETS", "NOT_DICED", "SELF_CROSSING", "SELF_INTERSECTING", "BAD_PAIRING",
     "NO_SMALL_FILLING") if name in ErrorCode.__members__}
 
 # Faults whose elements are the points of a closed path of edges.

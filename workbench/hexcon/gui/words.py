@@ -244,7 +244,7 @@ def _certificate(certificate, surface_known, straight):
     if certificate.certified:
         proofs = [translate("HexCon", "every Jacobian is proved positive") if straight else
                   translate("HexCon", "every Jacobian would be positive with straight edges"),
-                  translate("HexCon", "the mesh is proper")]
+                  translate("HexCon", "the mesh is proper"), translate("HexCon", "nothing overlaps")]
         if surface_known:
             proofs.append(translate("HexCon", "its boundary exact"))
         sure = straight and surface_known  # the word alone must not promise more than is proved
@@ -260,4 +260,9 @@ def _certificate(certificate, surface_known, straight):
             count=count(len(certificate.improper))))
     if not certificate.boundary_exact:
         faults.append(translate("HexCon", "its boundary is not the given one"))
+    if certificate.embedded is False:
+        faults.append(translate("HexCon", "it overlaps itself: {reason}").format(reason=certificate.embedding_reason))
+    elif certificate.embedded is None and certificate.boundary_exact:
+        faults.append(translate("HexCon", "whether it overlaps itself could not be told: {reason}").format(
+            reason=certificate.embedding_reason))
     return translate("HexCon", "NOT certified: ") + "; ".join(faults)

@@ -11,7 +11,8 @@ from ..tetrahedra import tetrahedralise
 from ..topological import is_topological
 
 _ABOUT_THE_SURFACE = (ErrorCode.NOT_SWEPT, ErrorCode.NO_SHEETS, ErrorCode.NOT_DICED, ErrorCode.NOT_STAR_SHAPED,
-                      ErrorCode.UNFILLABLE_QUAD, ErrorCode.NOT_BIPARTITE, ErrorCode.NO_HEX_MESH, ErrorCode.NOT_CERTIFIED)
+                      ErrorCode.UNFILLABLE_QUAD, ErrorCode.NOT_BIPARTITE, ErrorCode.NO_HEX_MESH, ErrorCode.NOT_CERTIFIED,
+                      ErrorCode.SELF_INTERSECTING)
 
 # A surface of another size may do where these are the matter.
 _WORTH_ANOTHER = (*_ABOUT_THE_SURFACE, ErrorCode.NON_MANIFOLD_VERTEX, ErrorCode.NON_MANIFOLD_EDGE, FaultCode.OFF_CAD,

@@ -50,7 +50,7 @@ def job_of(surface, method="auto", layers=0, order=1, budget=0.0, allow_topologi
     filled = surface_of(surface)
     return mark_of(filled, method, layers, order, budget), lambda progress: mesh_quad_surface(
         filled, method, timeout=TIMEOUT, progress=progress, layers=layers, order=order, budget=budget,
-        threads=preferences.value("Threads"))
+        threads=preferences.value("Threads"), allow_topological=allow_topological)
 
 
 def mark_of(surface, method="auto", layers=0, order=1, budget=0.0, allow_topological=False):

@@ -4,8 +4,8 @@
  * Source: Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric
  * predicates (1997), sections 2.3 to 2.5 and 2.8.
  */
-#ifndef HEXCON_VERIFY_EXPANSION_H
-#define HEXCON_VERIFY_EXPANSION_H
+#ifndef HEXCON_BASE_EXPANSION_H
+#define HEXCON_BASE_EXPANSION_H
 
 #include <stdbool.h>
 

@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/** Bodies whose boundaries meet nowhere may still lie in one another. */
+#ifndef HEXCON_VERIFY_BODIES_H
+#define HEXCON_VERIFY_BODIES_H
+
+#include "base/context.h"
+
+/**
+ * Check that the shells of an embedded boundary face out of what they bound, going inwards in turn
+ * out and in: otherwise a body lies in the material of another, and `embedding` becomes NO, with a
+ * quad of each of two such shells.
+ * @param quads  [quad_count][4] closed and consistent; other points may be unused
+ * Errors: OUT_OF_MEMORY, CANCELLED. Linear, but for the nesting of many shells.
+ */
+hexcon_status bodies_check(hexcon_context *context, const double *points, size_t point_count,
+                           const int32_t *quads, size_t quad_count, hexcon_embedding *embedding);
+
+#endif
