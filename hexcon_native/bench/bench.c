@@ -14,7 +14,7 @@
 #include "bench_support.h"
 #include "bench_topological.h"
 
-enum { SIZES = 3, STAGES = 24 };
+enum { SIZES = 3, STAGES = 26 };
 
 typedef struct table {
   size_t hexes[SIZES];
@@ -87,12 +87,25 @@ static void bench_damages(hexcon_context *context, table *t, int size, const hex
       bench_optimise(context, t, size, mesh, fixed_count, &damages[i], threads);
 }
 
+static void bench_embedding(hexcon_context *context, table *t, int size, const char *name,
+                            const surface_arrays *s) {
+  hexcon_embedding found;
+  double start = now();
+  check(context, hexcon_surface_embedding(context, s->points, s->point_count, s->quads,
+                                          s->quad_count, &found));
+  note(t, size, name, now() - start);
+  if (found.embedded != HEXCON_EMBEDDED_YES)
+    stop("a surface of the bench crosses itself");
+  hexcon_embedding_free(context, &found);
+}
+
 /** Pairs of a surface of about as many quads as there are hexes. */
 static void bench_pairing(hexcon_context *context, table *t, int size, size_t hexes) {
   size_t n = (size_t)sqrt((double)hexes / 6);
   surface_arrays s = cube_surface(n + n % 2);
   bend(&s);
   shuffle(&s);
+  bench_embedding(context, t, size, "embedding, as many quads", &s);
   int32_t *pairs = allocate(s.quad_count, sizeof *pairs);
   for (int shaken = 0; shaken < 2; shaken++) {
     double start = now();
@@ -136,6 +149,7 @@ static void bench_size(hexcon_context *context, table *t, int size, size_t n) {
   t->memory[size] = (double)usage.ru_maxrss / 1024;
   t->hexes[size] = hexcon_mesh_hex_count(mesh);
   note_stages(t, size, mesh);
+  bench_embedding(context, t, size, "embedding of its surface", &s);
   double *values = allocate(t->hexes[size], sizeof *values);
   start = now();
   check(context, hexcon_quality(context, hexcon_mesh_points(mesh), hexcon_mesh_point_count(mesh),

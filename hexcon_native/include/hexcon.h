@@ -172,7 +172,7 @@ typedef struct hexcon_embedding {
   size_t pair_count;
   /** [pair_count][2] quads, the lower id first, ascending. NO: they cross or touch where they do
    * not share points; the same twice: a flat quad that is not convex, so that its patch is folded.
-   * UNKNOWN: they come too near to each other to tell. */
+   * UNKNOWN: they touch, or come too near to each other to tell. */
   int32_t *pairs;
   size_t twin_count; /**< points at a place where another one stands; then pairs are theirs alone */
   char reason[160];  /**< words for what is not YES; "" if it is */

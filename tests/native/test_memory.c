@@ -112,6 +112,26 @@ static hexcon_status call_certify(hexcon_context *context, material *m) {
   return certify(context, &m->swept);
 }
 
+/** Of a swept body, embedded; and of a torus drawn flat, whose pairs are listed. */
+static hexcon_status call_embedding(hexcon_context *context, material *m) {
+  hexcon_embedding found;
+  hexcon_status status =
+      hexcon_surface_embedding(context, m->swept.points, m->swept.surface_point_count,
+                               m->swept.quads, m->swept.quad_count, &found);
+  hexcon_embedding_free(context, &found);
+  if (status)
+    return status;
+  test_mesh flat = test_mesh_copy(&m->torus);
+  for (size_t v = 0; v < flat.point_count; v++)
+    flat.points[3 * v + 2] = 0;
+  status = hexcon_surface_embedding(context, flat.points, flat.point_count, flat.quads,
+                                    flat.quad_count, &found);
+  assert_true(status || found.pair_count > 0);
+  hexcon_embedding_free(context, &found);
+  test_mesh_free(&flat);
+  return status;
+}
+
 /** With lists of bad hexes to fill. */
 static hexcon_status call_certify_bad(hexcon_context *context, material *m) {
   test_mesh bad = test_mesh_copy(&m->scrambled);
@@ -302,6 +322,7 @@ static const struct {
              {"pairing topology", call_pairing_topology},
              {"pairing crossings", call_pairing_of_crossings},
              {"quality", call_quality},
+             {"embedding", call_embedding},
              {"certify", call_certify},
              {"certify bad", call_certify_bad},
              {"optimize", call_optimize},

@@ -242,8 +242,8 @@ static hexcon_status conclude(hexcon_context *context, scene *s, hexcon_embeddin
                    out->pair_count);
   else
     (void)snprintf(out->reason, sizeof out->reason,
-                   "%s%zu pairs of quads come nearer to each other than rounding can tell", more,
-                   out->pair_count);
+                   "%s%zu pairs of quads touch, or come nearer to each other than can be told",
+                   more, out->pair_count);
   return status;
 }
 

@@ -104,14 +104,17 @@ static bool plane_parts(ball a[4][3], ball b[4][3]) {
   return most < least;
 }
 
-static bool quadrics_part(pair *p, const cells *c) {
+static bool quadrics_part(pair *p, const cells *c, const shared *s) {
+  bool shared_a[4] = {false, false, false, false}, shared_b[4] = {false, false, false, false};
+  for (int i = 0; i < s->count; i++)
+    shared_a[s->a[i]] = shared_b[s->b[i]] = true;
   if (!p->has_quadrics) {
     patch_quadric_set(&p->a_seen_by_b, &p->a, &p->b);
     patch_quadric_set(&p->b_seen_by_a, &p->b, &p->a);
     p->has_quadrics = true;
   }
-  return patch_quadric_clears(&p->a_seen_by_b, &c->b) ||
-         patch_quadric_clears(&p->b_seen_by_a, &c->a);
+  return patch_quadric_clears(&p->a_seen_by_b, &c->b, shared_b) ||
+         patch_quadric_clears(&p->b_seen_by_a, &c->a, shared_a);
 }
 
 static bool sides_cross(ball a[4][3], ball b[4][3]) {
@@ -122,11 +125,11 @@ static bool sides_cross(ball a[4][3], ball b[4][3]) {
   return false;
 }
 
-static meeting judge_distinct(pair *p, const cells *c) {
+static meeting judge_distinct(pair *p, const cells *c, const shared *none) {
   ball a[4][3], b[4][3];
   cell_corners(&p->a, &c->a, a);
   cell_corners(&p->b, &c->b, b);
-  if (boxes_part(a, b) || plane_parts(a, b) || quadrics_part(p, c))
+  if (boxes_part(a, b) || plane_parts(a, b) || quadrics_part(p, c, none))
     return MEETING_NONE;
   return sides_cross(a, b) ? MEETING_PROVED : MEETING_OPEN;
 }
@@ -155,7 +158,7 @@ static meeting judge(pair *p, const cells *c) {
   placed_cell a = {&p->a, c->a}, b = {&p->b, c->b};
   bool parted = false;
   if (s.count == 0)
-    return judge_distinct(p, c);
+    return judge_distinct(p, c, &s);
   if (s.count == 4)
     return MEETING_PROVED;
   if (s.count == 1)
@@ -168,7 +171,7 @@ static meeting judge(pair *p, const cells *c) {
     int middle = middle_of_three(&s);
     parted = middle >= 0 && two_sides_part(&a, s.a[middle], &b, s.b[middle]);
   }
-  return parted ? MEETING_NONE : MEETING_OPEN;
+  return parted || quadrics_part(p, c, &s) ? MEETING_NONE : MEETING_OPEN;
 }
 
 static cell child_of(const cell *c, int index) {

@@ -21,7 +21,11 @@ typedef struct patch_quadric {
 
 void patch_quadric_set(patch_quadric *quadric, const patch *of, const patch *other);
 
-/** Proved: a cell of the other patch has no place on the quadric. */
-bool patch_quadric_clears(const patch_quadric *quadric, const cell *other);
+/**
+ * Proved: a cell of the other patch has no place on the quadric but on what it shares with the
+ * first: there the coefficients are zero, and those of one sign elsewhere keep the rest off it.
+ * @param shared  [4] corners of the cell that lie on the first; a side with both ends does, too
+ */
+bool patch_quadric_clears(const patch_quadric *quadric, const cell *other, const bool shared[4]);
 
 #endif
