@@ -5,7 +5,7 @@
 
 #include "hexcon.h"
 
-/** At most this many offending ids are kept (design.md, section 3). */
+/** At most this many offending ids are kept; include/hexcon.h promises it. */
 #define CONTEXT_MAX_ELEMENTS 1000
 
 /** Every count of things that get an id must stay below this. */
