@@ -19,7 +19,7 @@ except ImportError as fault:
         f"({fault}). Build it with `make build` in HexCon's folder."
     ) from fault
 
-from .tables import (
+from .tables import (  # after the guard: it reads the core
     ErrorCode,
     GIVEN,
     HEX_STAGES,
@@ -36,8 +36,8 @@ from .tables import (
 
 __all__ = [
     "Certificate", "ErrorCode", "HEX_STAGES", "HexconError", "Loops", "METHODS", "METHOD_TABLE", "Mesh", "Method",
-    "MethodTry", "PAIRINGS", "Quality", "STAGES", "SurfaceReport", "TOPOLOGICAL_METHODS", "certify", "check_options", "check_surface", "colouring", "loops", "mesh", "morph", "optimize",
-    "pairing", "quality", "raise_order",
+    "MethodTry", "PAIRINGS", "Quality", "STAGES", "SurfaceReport", "TOPOLOGICAL_METHODS", "certify", "check_options",
+    "check_surface", "colouring", "loops", "mesh", "methods_that", "morph", "optimize", "pairing", "quality", "raise_order",
 ]
 
 

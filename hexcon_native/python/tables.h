@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
-/** The core's tables as Python lists: nothing in Python types a name or a number of theirs again. */
+/** The core's tables as Python lists: nothing in Python types a name or a number of theirs again.
+ */
 #ifndef HEXCON_PYTHON_TABLES_H
 #define HEXCON_PYTHON_TABLES_H
 
