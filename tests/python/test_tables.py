@@ -228,6 +228,16 @@ def test_words_of_stages():
     assert hex_stage("core of 7") == ("core of 7", None)
 
 
+def test_stages_of_the_core_are_used():
+    """Each row by its constant; that no other name is told, the compiler sees to."""
+    rows = re.findall(r"ROW\((\w+),", read("hexcon_native/src/base/stages.h"))
+    source = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "hexcon_native" / "src").rglob("*.[ch]")
+                     if path.name != "stages.h")
+    assert len(rows) == len(hn.STAGES) + len(hn.HEX_STAGES)
+    assert [row for row in rows if not re.search(rf"\b{row}\b", source)] == []
+    assert not re.search(r'mesh_note\([^;]*"hexes of ', source)
+
+
 def told_stages(folder):
     """Literals that Python files give to a progress as the stage."""
     for path in sorted(folder.rglob("*.py")):

@@ -4,7 +4,6 @@
 #define HEXCON_SOLVE_MESH_RESULT_H
 
 #include "base/context.h"
-#include "base/stages.h"
 
 enum { MAX_FIGURES = 32, MAX_LOG = 4096 };
 

@@ -152,7 +152,7 @@ static hexcon_status search_rotations(hexcon_context *context, shelling *w, doub
   w->first_rotations = SIZE_MAX;
   w->failure_count = 0;
   while (!status && search.count > 0) {
-    status = context_progress(context, "rotating edges", (double)search.step / (double)most);
+    status = context_progress(context, STAGE_ROTATIONS, (double)search.step / (double)most);
     if (!status)
       status = try_promising(context, w, &search);
     bool late =
