@@ -49,9 +49,11 @@ static bool is_any(const hexcon_method_facts *facts) {
 
 static void lists_of_methods(void **state) {
   (void)state;
+  const char first[] = "auto, swept, sheets, ";
   char text[METHOD_LIST];
   method_list(is_solvers, text);
-  assert_string_equal(text, "auto, swept, sheets, diced, smallest, shelling, cells");
+  assert_int_equal(strncmp(text, first, strlen(first)), 0);
+  assert_null(strstr(text, "pyramid"));
   method_list(is_any, text);
   assert_string_equal(text + strlen(text) - strlen(", pillowed"), ", pillowed"); /* it fits */
 }

@@ -141,7 +141,7 @@ def test_odd_shells():
 
 
 METHODS_FOR_BALLS = hn.methods_that(lambda method: not method.cavities)
-assert METHODS_FOR_BALLS == ["swept", "sheets", "smallest", "shelling", "pyramid", "pyramid-alt"]
+assert set(METHODS_FOR_BALLS) >= {"swept", "sheets", "smallest", "shelling", "pyramid", "pyramid-alt"}
 
 
 @pytest.mark.parametrize("method", METHODS_FOR_BALLS)
