@@ -15,18 +15,20 @@ class FaultCode(enum.Enum):
         code.meaning, code.listed, code.advice = meaning, listed, advice
         return code
 
-    TOOL_MISSING = ("tool missing", "gmsh, CalculiX or FreeCAD's command line program is not installed, or not found", "",
-                    "install what the message names, or say where it is")
+    TOOL_MISSING = ("tool missing", "gmsh, CalculiX or FreeCAD's command line program is not installed, or not found",
+                    "", "install what the message names, or say where it is")
     TOOL_FAILED = ("tool failed", "a program ran and reported an error, or crashed", "CAD faces left without elements",
                    "read its last words in the message; another size or method may do")
     TOOL_TIMEOUT = ("tool timeout", "a program ran into its time limit", "", "allow more time, or take a larger size")
     NOT_SWEEPABLE = ("solid not sweepable", "surface method sweep was given a solid that is no sweep", "",
                      "take another surface method, or auto")
-    NOT_BLOCKS = ("solid not made of blocks", "surface method blocks was given a solid with other than three edges at a "
-                  "corner, or round elsewhere than it can be", "CAD faces at fault", "take another surface method, or auto")
+    NOT_BLOCKS = ("solid not made of blocks", "surface method blocks was given a solid with other than three edges "
+                  "at a corner, or round elsewhere than it can be", "CAD faces at fault",
+                  "take another surface method, or auto")
     NOT_TRANSFINITE = ("solid not transfinite", "a face does not have four sides", "CAD faces",
                        "take another surface method, or auto")
-    NOT_ALL_QUAD = ("not all quads", "triangles are left in the surface", "", "take another size, or a subdivided surface")
+    NOT_ALL_QUAD = ("not all quads", "triangles are left in the surface", "",
+                    "take another size, or a subdivided surface")
     ODD_SURFACE = ("odd surface", "the number of quads is odd whatever the size", "", "take a subdivided surface")
     OFF_CAD = ("points off the CAD surface", "points lie further than 1e-7 from their CAD faces", "points",
                "mend the solid's geometry, or take another size")
@@ -39,8 +41,8 @@ class FaultCode(enum.Enum):
                "check its name, the permissions and the room on the disk")
     FREECAD_MISSING = ("FreeCAD missing", "the call needs FreeCAD's Python modules", "",
                        "run it in FreeCAD or by freecadcmd, or give a STEP or BREP file")
-    BAD_TRIANGLES = ("bad triangles", "triangles are not closed, not outward, or hold a point that is unused or not finite",
-                     "triangles, or points", "give a closed, outward triangulation")
+    BAD_TRIANGLES = ("bad triangles", "triangles are not closed, not outward, or hold a point that is unused or not "
+                     "finite", "triangles, or points", "give a closed, outward triangulation")
     TOPOLOGICAL_MESH = ("topological mesh", "a mesh of topology only was asked for where a solver would take it", "",
                         "take a method for solvers, or allow topological meshes to look at them")
     BAD_MESH = ("bad mesh", "what was given is no hex mesh: wrong shape, or ids out of range", "elements",

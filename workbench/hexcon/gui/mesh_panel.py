@@ -41,6 +41,7 @@ class MeshPanel(Panel):
         rows.addRow(translate("HexCon", "Solid"), QtGui.QLabel(self.about().Label))
         self.size = size_box(default_size(self._shape), self._estimate)
         self.expected = QtGui.QLabel()
+        self.expected.setObjectName("expected")
         self.expected.setWordWrap(True)
         self.surface_method = method_box()
         choose(self.surface_method, preferences.value("SurfaceMethod"))

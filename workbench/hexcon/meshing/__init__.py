@@ -21,8 +21,8 @@ _WORTH_ANOTHER = (*_ABOUT_THE_SURFACE, ErrorCode.NON_MANIFOLD_VERTEX, ErrorCode.
 # What auto tries next: parts of the size, and how careful the surface is to be (see surface_from_solid).
 _MORE_TRIES = ((0.94, 1), (0.88, 2), (0.8, 3))
 
-# Surfaces of more quads than this are diced before anything else where their method says so: no other method makes fewer
-# hexes of them, and to look for layers takes longer than to dice.
+# Surfaces of more quads than this are diced before anything else where their method says so: no other method makes
+# fewer hexes of them, and to look for layers takes longer than to dice.
 _DICED_FIRST = 600
 
 # How fast tetrahedra inside grow, up to this many triangles and beyond: slow growth makes a fifth

@@ -44,14 +44,14 @@ _ROWS = (
     SurfaceMethod("sweep", "sweep", "solids that go from one cap to another: prisms, pipes, frusta, wedges, bent bars",
                   "sweep.sweep_surface", turn=1, refusal="NOT_SWEEPABLE", refused="not swept", cavities=False,
                   filled_by="swept"),
-    SurfaceMethod("blocks", "blocks", "round solids, and those with three edges at each corner: quads of a few blocks of "
-                  "hexes", "blocks.blocks_surface", turn=2, refusal="NOT_BLOCKS", refused="not of blocks",
+    SurfaceMethod("blocks", "blocks", "round solids, and those with three edges at each corner: quads of a few blocks "
+                  "of hexes", "blocks.blocks_surface", turn=2, refusal="NOT_BLOCKS", refused="not of blocks",
                   cavities=False, filled_by="sheets"),
     # Hexes inside: 3 a quad on triangles, 10 to 22, and worse ones, where there are coarse quads.
     SurfaceMethod("subdivided", "subdivided quads", "any solid: gmsh's quads and triangles, each cut about its middle",
                   "whole.whole_surface", ("method",), turn=4, filled_by="diced", hexes_a_quad=10),
-    SurfaceMethod("subdivided-triangles", "subdivided triangles", "any solid: gmsh's triangles, each cut into three quads",
-                  "triangles.triangle_surface", ("care",), turn=3, refused="no subdivided triangles",
+    SurfaceMethod("subdivided-triangles", "subdivided triangles",
+                  "any solid: gmsh's triangles, each cut into three quads", "triangles.triangle_surface", ("care",), turn=3, refused="no subdivided triangles",
                   filled_by="diced", hexes_a_quad=3, diced_first=True),
     SurfaceMethod("blossom", "blossom", "any solid, by luck: gmsh's triangles, paired to quads; few and even ones",
                   "whole.whole_surface", ("method",), filled_by="shelling", hexes_a_quad=4),
