@@ -6,7 +6,6 @@ from outside; hexes are in VTK order. The GIL is released while the core works; 
 `progress` callback cancel. Every fault is a HexconError with a code and the offending ids.
 """
 import contextlib
-import enum
 
 import numpy as np
 
@@ -20,22 +19,25 @@ except ImportError as fault:
         f"({fault}). Build it with `make build` in HexCon's folder."
     ) from fault
 
-ErrorCode = enum.IntEnum("ErrorCode", _core.status_codes())
-ErrorCode.__doc__ = "One member per fault of the core; include/hexcon.h says what each means."
-
-METHODS = {"auto": 0, "swept": 1, "sheets": 4, "diced": 3, "smallest": 5, "shelling": 12, "cells": 2, "four-split": 6,
-           "pyramid": 7, "pyramid-alt": 8, "geode": 9, "geode-alt": 10, "pillowed": 11}
-
-TOPOLOGICAL_METHODS = frozenset(METHODS) - {"auto", "swept", "sheets", "diced", "smallest", "shelling", "cells"}
-"""Methods whose meshes are conforming, but have Jacobians of zero or below: for no solver."""
-
-PAIRINGS = {"all": 0, "fewest": 1, "none": 2}
-_GIVEN_PAIRS = 3
+from .tables import (  # after the guard: it reads the core
+    ErrorCode,
+    GIVEN,
+    HEX_STAGES,
+    METHOD_TABLE,
+    METHODS,
+    Method,
+    MethodTry,
+    PAIRING_NUMBERS,
+    PAIRINGS,
+    STAGES,
+    TOPOLOGICAL_METHODS,
+    methods_that,
+)
 
 __all__ = [
-    "Certificate", "ErrorCode", "HexconError", "Loops", "METHODS", "Mesh", "PAIRINGS",
-    "Quality", "SurfaceReport", "TOPOLOGICAL_METHODS", "certify", "check_options", "check_surface", "colouring", "loops", "mesh", "morph", "optimize",
-    "pairing", "quality", "raise_order",
+    "Certificate", "ErrorCode", "HEX_STAGES", "HexconError", "Loops", "METHODS", "METHOD_TABLE", "Mesh", "Method",
+    "MethodTry", "PAIRINGS", "Quality", "STAGES", "SurfaceReport", "TOPOLOGICAL_METHODS", "certify", "check_options",
+    "check_surface", "colouring", "loops", "mesh", "methods_that", "morph", "optimize", "pairing", "quality", "raise_order",
 ]
 
 
@@ -393,34 +395,15 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
     """Fill a closed quad surface with hexes whose boundary is exactly its quads.
 
     points, quads      as check_surface
-    method             "swept": a cap's quads times rings; "cells": any even surface whose points
-                       can be coloured black and white, of a star-shaped body or, given a tetrahedralise,
-                       of any: 31 hexes a quad and tetrahedra inside, each cut into 4 hexes; "sheets", for balls: layers of hexes, each of which takes a dual loop
-                       away, until a cube is left: boxes, convex polyhedra with three edges a corner
-                       whose faces are cut about their middles, and mixtures that are no sweep; or
-                       until a core is left, which is filled as by "smallest" or "cells": then some
-                       45 hexes a quad of the core;
-                       "diced": a surface that is a coarser one of triangles and quads, with every
-                       edge split in two and every face cut about a centre, of a body of any shape
-                       and genus: 4 hexes for each tetrahedron inside, and 26 on each coarse quad, or
-                       36 where there are coarse triangles as well; "smallest": up to 16 quads of
-                       genus 0, from a table of the smallest fillings known; "shelling": as sheets,
-                       after some edges have been rotated in shells under the surface, with 38 hexes
-                       each: most surfaces of genus 0 up to some 400 quads, with three to six hexes a
-                       quad, more where quads are few or very uneven;
-                       "auto": swept, sheets, diced, smallest, shelling, sheets and a core, cells, until one is certified and
-                       good, or else the best of them: report["log"] tells of each.
-                       The TOPOLOGICAL_METHODS are those of Carbonera and Shepherd (2006), for n
-                       quads of genus 0: "pyramid" 76 n hexes, "pyramid-alt" 58 n, "geode" 130 n,
-                       "geode-alt" 112 n, "pillowed" 139 n without doublets; and of any genus "four-split" 28 n, layers under the
-                       surface down to quads that are all split in four. With a tetrahedralise the last
-                       three go round holes, too: 4 hexes for each tetrahedron between the Geodes
+    method             one of METHODS; METHOD_TABLE tells what each is for, what it takes and makes, and docs/methods.md
+                       more. "auto" tries those for solvers until one is certified and good, or else takes the
+                       best of them: report["log"] tells of each. Of the TOPOLOGICAL_METHODS see Mesh
     order              1, or 2 for mid-edge points on straight edges
-    layers             cells: at least so many layers of plain hexes under the surface, before any
-                       cell; there may be one more, where it makes the cells better. With
-                       layers, auto takes cells at once
+    layers             at least so many layers of plain hexes under the surface, before anything else;
+                       there may be one more, where it makes the hexes better. With layers, auto tries only
+                       methods that take them
     threads            0: one per processor; the result does not depend on it
-    tetrahedralise     cells, diced, sheets: None, and all meets in one point; or a callable
+    tetrahedralise     None, and all meets in one point; or a callable
                        (points (P, 3), triangles (T, 3)) that fills a closed, outward triangulation:
                        it returns new points (K, 3) and tetrahedra (M, 4) of positive volume, ids
                        of given points, then of new ones, whose boundary is exactly the triangles;
@@ -429,7 +412,7 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
                        (see pairing), or "none", which needs a surface whose
                        loops do not cross themselves, or your pairs (k, 2) of quads that share an
                        edge, such that no loop crosses itself then
-    core               sheets: False: do not fill what the layers leave, but refuse (NO_SHEETS)
+    core               False: do not fill what the layers leave, but refuse (NO_SHEETS)
     budget             seconds after which what is being tried is given up and the best mesh until
                        then is taken; 0: no limit
     progress           callable (stage, fraction in 0 .. 1); returning False, raising, or Ctrl-C
@@ -446,7 +429,7 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
     itself to tell), SEVERAL_COMPONENTS
     (elements: one quad of each body), ODD (of a single shell of several: elements: one quad of each
     such shell), NO_HEX_MESH (elements: points of closed paths, mostly one, that bound inside and are
-    odd: no hex mesh exists; of all methods but four-split), NOT_SWEPT
+    odd: no hex mesh exists; of all methods that fill bodies), NOT_SWEPT
     (elements: the quads where the best attempt failed), NO_SHEETS (elements: the surface's quads in
     the core that no loop can be taken from; the message says how large it is; where layers take next to nothing
     away, or core is False), NOT_DICED (elements:
@@ -461,12 +444,12 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
     conforming and their boundary is exact.
     Cost: linear in the hexes made, plus the improvement of what is bad.
     """
-    check_options(method, order=order, layers=layers, threads=threads, pairing=pairing, budget=budget)
+    check_options(method, order=order, layers=layers, threads=threads, pairing=pairing, budget=budget, core=core)
     mesher = None if tetrahedralise is None else _Mesher(tetrahedralise)
     given = None if isinstance(pairing, str) else _ids(pairing, 2, "pairing")
     return Mesh(_core.mesh(_points(points), _ids(quads, 4, "quads"), METHODS[method], int(order),
                            allow_uncertified, threads, layers, mesher,
-                           _GIVEN_PAIRS if given is not None else PAIRINGS[pairing], given,
+                           PAIRING_NUMBERS[GIVEN if given is not None else pairing], given,
                            not certify, not core, allow_topological, float(budget), progress))
 
 
@@ -491,22 +474,29 @@ def _check_count(name, value):
                           ErrorCode.BAD_ARGUMENT)
 
 
-def check_options(method="auto", *, order=1, layers=0, threads=0, pairing="all", budget=0.0):
+def _refuse_option(option, method, takes_it):
+    """An option that only some methods take."""
+    if not takes_it(METHOD_TABLE[method]):
+        takers = [name for name in methods_that(takes_it) if METHOD_TABLE[name].tries or METHOD_TABLE[name].topological]
+        raise HexconError(f"{option}: only for method {', '.join(takers)}", ErrorCode.BAD_ARGUMENT)
+
+
+def check_options(method="auto", *, order=1, layers=0, threads=0, pairing="all", budget=0.0, core=True):
     """Raise BAD_ARGUMENT for options that mesh would refuse: for callers with work to do before."""
     if method not in METHODS:
         raise HexconError(f"there is no method {method!r}; there are {', '.join(METHODS)}",
                           ErrorCode.BAD_ARGUMENT)
     _check_count("layers", layers)
     _check_count("threads", threads)
-    if layers and method not in ("auto", "cells"):
-        raise HexconError("only cells have boundary layers: choose method cells",
-                          ErrorCode.BAD_ARGUMENT)
+    if layers:
+        _refuse_option("boundary layers", method, lambda one: one.layers)
+    if not core:
+        _refuse_option("to refuse a core", method, lambda one: one.core)
     if isinstance(pairing, str) and pairing not in PAIRINGS:
         raise HexconError(f"there is no pairing {pairing!r}; there are {', '.join(PAIRINGS)}, or an "
                           "array of pairs", ErrorCode.BAD_ARGUMENT)
-    if not (isinstance(pairing, str) and pairing == "all") and method not in TOPOLOGICAL_METHODS:
-        raise HexconError("a pairing is for the topological methods: "
-                          f"{', '.join(sorted(TOPOLOGICAL_METHODS))}", ErrorCode.BAD_ARGUMENT)
+    if not (isinstance(pairing, str) and pairing == "all"):
+        _refuse_option("a pairing", method, lambda one: one.pairing)
     if isinstance(budget, bool) or not isinstance(budget, (int, float)) or not 0 <= budget < float("inf"):
         raise HexconError(f"budget must be a number of seconds, not {budget!r}", ErrorCode.BAD_ARGUMENT)
     if isinstance(order, bool) or order not in (1, 2):

@@ -13,36 +13,81 @@ Progress = Callable[[str, float], Any]
 METHODS: dict[str, int]
 TOPOLOGICAL_METHODS: frozenset[str]
 PAIRINGS: dict[str, int]
+STAGES: dict[str, str]
+HEX_STAGES: dict[str, str]
+METHOD_TABLE: dict[str, Method]
 
 class ErrorCode(enum.IntEnum):
-    OUT_OF_MEMORY: int
-    CANCELLED: int
-    BAD_ARGUMENT: int
-    TOO_LARGE: int
-    WRONG_SHAPE: int
-    WRONG_TYPE: int
-    EMPTY: int
-    INDEX_OUT_OF_RANGE: int
-    REPEATED_VERTEX: int
-    NOT_FINITE: int
-    UNUSED_POINT: int
-    NOT_CLOSED: int
-    NON_MANIFOLD_EDGE: int
-    NON_MANIFOLD_VERTEX: int
-    NOT_ORIENTABLE: int
-    INCONSISTENT_ORIENTATION: int
-    SEVERAL_COMPONENTS: int
-    ODD: int
-    NOT_BIPARTITE: int
-    NO_PAIRING: int
-    UNFILLABLE_QUAD: int
-    NOT_STAR_SHAPED: int
-    NOT_SWEPT: int
-    NO_SHEETS: int
-    NOT_CERTIFIED: int
-    NO_SMALL_FILLING: int
-    NO_HEX_MESH: int
-    SELF_INTERSECTING: int
+    # made by scripts/make_docs.py: begin ErrorCode
+    OUT_OF_MEMORY = 1
+    CANCELLED = 2
+    BAD_ARGUMENT = 3
+    TOO_LARGE = 4
+    WRONG_SHAPE = 5
+    WRONG_TYPE = 6
+    EMPTY = 7
+    INDEX_OUT_OF_RANGE = 8
+    REPEATED_VERTEX = 9
+    NOT_FINITE = 10
+    UNUSED_POINT = 11
+    NOT_CLOSED = 12
+    NON_MANIFOLD_EDGE = 13
+    NON_MANIFOLD_VERTEX = 14
+    NOT_ORIENTABLE = 15
+    INCONSISTENT_ORIENTATION = 16
+    SEVERAL_COMPONENTS = 17
+    ODD = 18
+    NOT_BIPARTITE = 19
+    NO_PAIRING = 20
+    BAD_PAIRING = 21
+    SELF_CROSSING = 22
+    NO_SIDES = 23
+    NOT_A_BALL = 24
+    UNFILLABLE_QUAD = 25
+    NOT_STAR_SHAPED = 26
+    NOT_SWEPT = 27
+    NO_SHEETS = 28
+    NOT_DICED = 29
+    NOT_CERTIFIED = 30
+    OUT_OF_TIME = 31
+    NO_SMALL_FILLING = 32
+    NO_ROTATIONS = 33
+    NO_HEX_MESH = 34
+    SELF_INTERSECTING = 35
+    # end ErrorCode
+    @property
+    def meaning(self) -> str: ...
+    @property
+    def listed(self) -> str: ...
+    @property
+    def advice(self) -> str: ...
+
+class MethodTry:
+    turn: int
+    good_worst: float
+    most_hexes: int
+    no_core: bool
+
+class Method:
+    number: int
+    name: str
+    label: str
+    purpose: str
+    told: str
+    topological: bool
+    layers: bool
+    core: bool
+    pairing: bool
+    tetrahedralise: bool
+    holes: bool
+    cavities: bool
+    odd_colours: bool
+    odd_paths: bool
+    renumbering: bool
+    hexes_a_quad: float | None
+    tries: tuple[MethodTry, ...]
+
+def methods_that(wanted: Callable[[Method], bool]) -> list[str]: ...
 
 class Loops:
     lengths: NDArray[np.int64]
@@ -119,12 +164,12 @@ def mesh(points: ArrayLike, quads: ArrayLike, method: str = ..., *, order: int =
          allow_uncertified: bool = ..., allow_topological: bool = ...,
          certify: bool = ...) -> Mesh: ...
 def check_options(method: str = ..., *, order: int = ..., layers: int = ..., threads: int = ...,
-                  pairing: str | ArrayLike = ..., budget: float = ...) -> None: ...
+                  pairing: str | ArrayLike = ..., budget: float = ..., core: bool = ...) -> None: ...
 def quality(points: ArrayLike, hexes: ArrayLike) -> Quality: ...
 def certify(points: ArrayLike, hexes: ArrayLike, quads: ArrayLike, *,
             progress: Progress | None = ...) -> Certificate: ...
 def optimize(points: ArrayLike, hexes: ArrayLike, fixed: ArrayLike | None = ..., *,
-             rounds: int = ..., target: float = ..., threads: int = ...,
+             rounds: int = ..., target: float = ..., mean_passes: int = ..., threads: int = ...,
              progress: Progress | None = ...) -> NDArray[np.float64]: ...
 def morph(points: ArrayLike, hexes: ArrayLike, goal: ArrayLike, fixed: ArrayLike | None = ..., *,
           target: float = ...,

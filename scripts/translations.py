@@ -2,7 +2,8 @@
 """Collect the texts of the window into resources/translations/HexCon.ts, for Qt Linguist.
 
 python3 scripts/translations.py [--check]; --check changes nothing and fails if the file is old.
-Texts are the string literals in translate(context, text) and QT_TRANSLATE_NOOP(context, text).
+Texts are the string literals in translate(context, text) and QT_TRANSLATE_NOOP(context, text), and the words of
+the tables of methods and stages: the core must have been built.
 """
 import ast
 import glob
@@ -35,12 +36,25 @@ def texts_of(path):
             yield tuple(values)
 
 
+def texts_of_tables():
+    """The texts in the tables that the window shows: methods of hexes and of surfaces, stages."""
+    sys.path[:0] = [ROOT, os.path.join(ROOT, "workbench")]
+    import hexcon_native
+    from hexcon.quads import METHOD_TABLE
+    from hexcon.stage_words import HEX_STAGES, STAGES
+    for method in (*hexcon_native.METHOD_TABLE.values(), *METHOD_TABLE.values()):
+        yield from (method.label, method.purpose, *([method.told] if hasattr(method, "told") else []))
+    yield from (*STAGES.values(), *HEX_STAGES.values())
+
+
 def document():
     """The .ts file's text: contexts and messages, each once, sorted by context."""
     contexts = {}
     for path in sources():
         for context, text in texts_of(path):
             contexts.setdefault(context, {})[text] = None
+    for text in texts_of_tables():
+        contexts["HexCon"].setdefault(text)
     lines = ['<?xml version="1.0" encoding="utf-8"?>', "<!DOCTYPE TS>",
              "<!-- SPDX-License-Identifier: LGPL-2.1-or-later -->", '<TS version="2.1">']
     for context in sorted(contexts):

@@ -25,56 +25,122 @@
 extern "C" {
 #endif
 
-/** One value per fault. The Python enum `hexcon_native.ErrorCode` is made from this list. */
+/**
+ * The faults: name, what it means, what hexcon_context_elements lists ("": nothing), and what the
+ * user can do. All that tells of faults is made from these rows: hexcon_status, the Python enum
+ * `hexcon_native.ErrorCode`, its stub and docs/errors.md. Numbers are promises: new rows go to the
+ * end.
+ */
+#define HEXCON_STATUSES(ROW)                                                                       \
+  ROW(OUT_OF_MEMORY, "there is not enough memory", "",                                             \
+      "use a coarser surface, or a machine with more memory")                                      \
+  ROW(CANCELLED, "the caller, or the progress callback, cancelled", "",                            \
+      "call again if it was not meant")                                                            \
+  ROW(BAD_ARGUMENT,                                                                                \
+      "an option is out of its range, unknown, or not for this method; or an array is "            \
+      "missing",                                                                                   \
+      "", "give what the message asks for")                                                        \
+  ROW(TOO_LARGE, "a count is above what 32-bit ids hold", "",                                      \
+      "mesh in parts, or with a coarser surface")                                                  \
+  ROW(WRONG_SHAPE,                                                                                 \
+      "an array does not have the rows and columns that are asked for (raised by "                 \
+      "bindings)",                                                                                 \
+      "", "reshape it: points (., 3), quads (., 4), hexes (., 8) or (., 20)")                      \
+  ROW(WRONG_TYPE, "an array holds the wrong kind of number (raised by bindings)", "",              \
+      "give real numbers for coordinates and integers for ids")                                    \
+  ROW(EMPTY, "there are no quads, or no hexes", "", "check what was read or selected")             \
+  ROW(INDEX_OUT_OF_RANGE, "an id names a point that does not exist", "quads, or hexes",            \
+      "count ids from 0, and give every point that they name")                                     \
+  ROW(REPEATED_VERTEX, "a quad or a hex names one point twice", "quads, or hexes",                 \
+      "remove what is collapsed; a triangle written as a quad is none")                            \
+  ROW(NOT_FINITE, "a coordinate is NaN, infinite or beyond 1e100", "points",                       \
+      "mend the coordinates, or the unit")                                                         \
+  ROW(UNUSED_POINT, "no quad uses a point", "points", "drop points that are not the surface's")    \
+  ROW(NOT_CLOSED, "the surface is open: some edges have one quad only", "quads at open edges",     \
+      "close the surface, and merge points that lie on each other")                                \
+  ROW(NON_MANIFOLD_EDGE, "more than two quads meet at an edge", "quads at such edges",             \
+      "remove inner walls and doubled quads, or mesh the bodies one by one")                       \
+  ROW(NON_MANIFOLD_VERTEX, "several fans of quads meet at one point", "points",                    \
+      "part the bodies that touch there, or give each its own point")                              \
+  ROW(NOT_ORIENTABLE, "the surface is one-sided, as a Moebius band is",                            \
+      "two quads that close a one-sided band", "give the boundary of a body")                      \
+  ROW(INCONSISTENT_ORIENTATION, "some quads are turned against their neighbours",                  \
+      "the quads turned against the majority", "reverse the order of the listed quads' corners")   \
+  ROW(SEVERAL_COMPONENTS, "the surface bounds several bodies",                                     \
+      "one quad of each body's outer shell", "mesh the bodies one by one")                         \
+  ROW(ODD,                                                                                         \
+      "the number of quads is odd, so that no hex mesh exists; or that of a single "               \
+      "shell, and none is made",                                                                   \
+      "one quad of each odd shell, if there are several shells", "change the size a little")       \
+  ROW(NOT_BIPARTITE,                                                                               \
+      "the points cannot be coloured black and white along edges, which this method needs",        \
+      "points of a closed path of an odd number of edges, in order",                               \
+      "change the size so that the path becomes even, or take another method")                     \
+  ROW(NO_PAIRING, "the quads cannot all be paired with neighbours", "quads left over",             \
+      "change the size a little, or give pairs")                                                   \
+  ROW(BAD_PAIRING, "a given pair names a quad twice, or two quads without a common edge",          \
+      "quads of such pairs", "pair neighbours, each quad once")                                    \
+  ROW(SELF_CROSSING, "a dual loop still crosses itself, which this method cannot take",            \
+      "quads that a loop passes twice", "pair more quads: pairing \"all\" or \"fewest\"")          \
+  ROW(NO_SIDES, "a family of dual loops has no two sides, because of a hole through the body",     \
+      "points of a closed path that crosses the family an odd number of times, in order",          \
+      "take another method, or other quads")                                                       \
+  ROW(NOT_A_BALL,                                                                                  \
+      "the body has holes through it, or cavities, with which this method cannot deal, "           \
+      "or only with tetrahedra that were not found",                                               \
+      "", "take a method that can, such as diced or cells, or give a mesher of tetrahedra")        \
+  ROW(UNFILLABLE_QUAD, "on some quads no hex with a positive Jacobian can stand", "those quads",   \
+      "round off or refine the surface there")                                                     \
+  ROW(NOT_STAR_SHAPED,                                                                             \
+      "no point inside sees the whole surface, and there are no tetrahedra for its inside", "",    \
+      "give a mesher of tetrahedra, or a finer surface")                                           \
+  ROW(NOT_SWEPT, "the surface is not that of a sweep", "quads where the best attempt failed",      \
+      "take another method, or quads of a sweep")                                                  \
+  ROW(NO_SHEETS,                                                                                   \
+      "the dual loops cannot be taken away until a cube, or a core that can be filled, "           \
+      "is left",                                                                                   \
+      "quads of the core, as far as they are the surface's", "take another method")                \
+  ROW(NOT_DICED, "the quads are no subdivision of a coarser surface",                              \
+      "quads that do not fit the subdivision that fits best",                                      \
+      "take another method, or subdivided quads")                                                  \
+  ROW(NOT_CERTIFIED, "a mesh was made, but it could not be proved",                                \
+      "hexes that are not proved positive",                                                        \
+      "use a finer surface, or allow uncertified meshes to look at it")                            \
+  ROW(OUT_OF_TIME, "the time budget ran out before there was a mesh", "",                          \
+      "allow more time, or mesh with larger quads")                                                \
+  ROW(NO_SMALL_FILLING,                                                                            \
+      "the table of small fillings has none for these quads: they are more than 16, or "           \
+      "of a class that it lacks",                                                                  \
+      "two quads with two opposite corners in common", "take another method")                      \
+  ROW(NO_ROTATIONS, "no rotations of edges lead to dual loops that can be taken away", "",         \
+      "take another method")                                                                       \
+  ROW(NO_HEX_MESH,                                                                                 \
+      "no hex mesh exists: closed paths of an odd number of edges bound a surface inside",         \
+      "points of those paths, in order", "change the size so that the paths become even")          \
+  ROW(SELF_INTERSECTING,                                                                           \
+      "the surface crosses or touches itself, or comes too near to itself to tell, so that it "    \
+      "bounds no solid",                                                                           \
+      "quads, pair after pair; twice the same: it is folded",                                      \
+      "use a smaller size where walls are thin or radii small; merge points that stand twice")
+
 typedef enum hexcon_status {
   HEXCON_OK = 0,
-  HEXCON_OUT_OF_MEMORY,
-  HEXCON_CANCELLED,
-  HEXCON_BAD_ARGUMENT,        /**< a NULL array, an option out of its range */
-  HEXCON_TOO_LARGE,           /**< a count above what 32-bit ids hold */
-  HEXCON_WRONG_SHAPE,         /**< raised by bindings: an array that is not (., 3), (., 4) .. */
-  HEXCON_WRONG_TYPE,          /**< raised by bindings: an array of the wrong kind of number */
-  HEXCON_EMPTY,               /**< no quads, or no hexes */
-  HEXCON_INDEX_OUT_OF_RANGE,  /**< elements: quads (or hexes) */
-  HEXCON_REPEATED_VERTEX,     /**< elements: quads (or hexes) */
-  HEXCON_NOT_FINITE,          /**< elements: points; NaN, infinite, or beyond 1e100 */
-  HEXCON_UNUSED_POINT,        /**< elements: points that no quad uses */
-  HEXCON_NOT_CLOSED,          /**< elements: quads at open edges */
-  HEXCON_NON_MANIFOLD_EDGE,   /**< elements: quads at edges with more than two quads */
-  HEXCON_NON_MANIFOLD_VERTEX, /**< elements: points where several fans of quads meet */
-  HEXCON_NOT_ORIENTABLE,      /**< elements: two quads that close a one-sided band */
-  HEXCON_INCONSISTENT_ORIENTATION, /**< elements: the quads turned against the majority */
-  HEXCON_SEVERAL_COMPONENTS, /**< several bodies; elements: one quad of each one's outer shell */
-  HEXCON_ODD,                /**< an odd number of quads: no hex mesh exists; or of a single
-                                  shell: none is made; elements: one quad of each such shell,
-                                  if there are several shells */
-  HEXCON_NOT_BIPARTITE,      /**< elements: points of an odd edge cycle, in order */
-  HEXCON_NO_PAIRING,         /**< elements: quads left over when they are paired */
-  HEXCON_BAD_PAIRING,        /**< elements: quads paired twice, or with no neighbour */
-  HEXCON_SELF_CROSSING,      /**< elements: quads that one dual loop passes twice */
-  HEXCON_NO_SIDES,           /**< elements: points of a closed path that crosses a family
-                                  of dual loops an odd number of times, in order */
-  HEXCON_NOT_A_BALL,         /**< the body has holes through it, or cavities, with which the
-                                  method cannot deal, or only with tetrahedra that were not found */
-  HEXCON_UNFILLABLE_QUAD,    /**< elements: quads on which no positive hex can stand */
-  HEXCON_NOT_STAR_SHAPED,    /**< no point inside sees the whole surface, and there are no
-                                  tetrahedra for its inside */
-  HEXCON_NOT_SWEPT,          /**< elements: quads where the best attempt failed */
-  HEXCON_NO_SHEETS,          /**< elements: quads of the core that no dual loop can be taken
-                                  from, as far as they are the surface's */
-  HEXCON_NOT_DICED,          /**< elements: quads that do not fit a subdivision */
-  HEXCON_NOT_CERTIFIED,      /**< elements: hexes whose Jacobian is not proved positive */
-  HEXCON_OUT_OF_TIME,        /**< the time budget ran out before there was a mesh */
-  HEXCON_NO_SMALL_FILLING,   /**< more than 16 quads, or a class that the table of small
-                                  fillings lacks; elements: two quads with two opposite corners
-                                  in common */
-  HEXCON_NO_ROTATIONS,       /**< no rotations of edges that lead to loops which can go */
-  HEXCON_NO_HEX_MESH,        /**< no hex mesh exists: closed paths of an odd number of edges
-                                  bound a surface inside; elements: their points, in order */
-  HEXCON_SELF_INTERSECTING,  /**< the surface crosses or touches itself, or comes too near to tell;
-                                  elements: quads, pair after pair; twice the same: it is folded */
-  HEXCON_STATUS_COUNT
+#define HEXCON_STATUS_VALUE(name, meaning, elements, advice) HEXCON_##name,
+  HEXCON_STATUSES(HEXCON_STATUS_VALUE)
+#undef HEXCON_STATUS_VALUE
+      HEXCON_STATUS_COUNT
 } hexcon_status;
+
+/** A fault in words; static texts, never NULL, "" of HEXCON_OK but for its name. */
+typedef struct hexcon_status_facts {
+  const char *name;     /**< without its prefix, e.g. "NOT_CLOSED" */
+  const char *meaning;  /**< one sentence, without its full stop */
+  const char *elements; /**< what the ids of hexcon_context_elements are; "": none are listed */
+  const char *advice;   /**< what the user can do */
+} hexcon_status_facts;
+
+/** @return NULL for values that do not exist */
+const hexcon_status_facts *hexcon_status_info(int status);
 
 /** Name of a status without its prefix, e.g. "NOT_CLOSED"; NULL for values that do not exist. */
 const char *hexcon_status_name(int status);
@@ -93,6 +159,15 @@ typedef struct hexcon_context hexcon_context;
  * @return false to cancel: the running call ends with HEXCON_CANCELLED
  */
 typedef bool (*hexcon_progress)(void *user, const char *stage, double fraction);
+
+/** A stage of work: its name, and the words that people see. Static texts. */
+typedef struct hexcon_stage_facts {
+  const char *name;
+  const char *words;
+} hexcon_stage_facts;
+
+/** The stages that hexcon_progress tells of. @param row from 0 on @return NULL beyond the last */
+const hexcon_stage_facts *hexcon_progress_stage(size_t row);
 
 /** Replaceable allocator: as realloc(3); size 0 frees and returns NULL. */
 typedef void *(*hexcon_reallocate)(void *user, void *memory, size_t size);
@@ -371,35 +446,68 @@ hexcon_status hexcon_raise_order(hexcon_context *context, const double *points, 
                                  const int32_t *hexes, size_t hex_count, hexcon_second_order *out);
 void hexcon_second_order_free(hexcon_context *context, hexcon_second_order *raised);
 
+/** The methods; hexcon_method_info tells what each is for. Saved macros hold the numbers: they stay
+ * as they are, and a new method takes the next one. */
 typedef enum hexcon_method {
-  HEXCON_METHOD_AUTO = 0, /**< the methods for solvers in the order of their worth, until one is
-                               good; then the best certified mesh */
-  HEXCON_METHOD_SWEPT,
-  HEXCON_METHOD_CELLS,    /**< any even 2-colourable surface of a star-shaped body; of any body
-                               where tetrahedralise is given */
-  HEXCON_METHOD_DICED,    /**< subdivided surfaces, of any genus: every edge of a coarser one of
-                               triangles and quads split in two, every face cut about a centre. 4 hexes
-                               for each tetrahedron inside; on each coarse quad 26, or 36 where
-                               there are coarse triangles as well */
-  HEXCON_METHOD_SHEETS,   /**< layers of hexes that take one dual loop after the other away, until a
-                               cube is left, or a core, which is filled as by SMALLEST or CELLS;
-                               balls only */
-  HEXCON_METHOD_SMALLEST, /**< up to 16 quads of genus 0: the smallest filling known */
-  /* Those of Carbonera and Shepherd, for n quads: topological, so their meshes are conforming, but
-   * some Jacobians are zero or negative, whatever the points. auto never takes them. */
-  HEXCON_METHOD_FOUR_SPLIT,  /**< 28 n hexes under the surface, down to quads that are all split in
-                                  four; of any genus */
-  HEXCON_METHOD_PYRAMID,     /**< 76 n hexes */
-  HEXCON_METHOD_PYRAMID_ALT, /**< 58 n, by Mitchell's split layers */
-  HEXCON_METHOD_GEODE,       /**< 130 n; without a star centre, of any genus too, 106 n and 4 for
-                                  each tetrahedron that the caller's mesher finds inside */
-  HEXCON_METHOD_GEODE_ALT,   /**< 112 n */
-  HEXCON_METHOD_PILLOWED,    /**< 139 n: geode-alt without doublets; proper, if the surface's quads
-                                  meet properly themselves */
-  HEXCON_METHOD_SHELLING,    /**< for solvers again: shells in which some edges rotate, 38 hexes
-                                  each, then sheets; balls only */
+  HEXCON_METHOD_AUTO = 0,
+  HEXCON_METHOD_SWEPT = 1,
+  HEXCON_METHOD_CELLS = 2,
+  HEXCON_METHOD_DICED = 3,
+  HEXCON_METHOD_SHEETS = 4,
+  HEXCON_METHOD_SMALLEST = 5,
+  HEXCON_METHOD_FOUR_SPLIT = 6,
+  HEXCON_METHOD_PYRAMID = 7,
+  HEXCON_METHOD_PYRAMID_ALT = 8,
+  HEXCON_METHOD_GEODE = 9,
+  HEXCON_METHOD_GEODE_ALT = 10,
+  HEXCON_METHOD_PILLOWED = 11,
+  HEXCON_METHOD_SHELLING = 12,
   HEXCON_METHOD_COUNT
 } hexcon_method;
+
+/** One try of `auto`. */
+typedef struct hexcon_method_try {
+  int turn;          /**< 1 comes first; 0: there is no such try */
+  double good_worst; /**< scaled Jacobian, or nearly what the surface allows, with which nothing
+                          after it is tried .. */
+  size_t most_hexes; /**< .. if the mesh has so many hexes a quad at most; 0: any number */
+  bool no_core;      /**< see hexcon_mesh_options */
+} hexcon_method_try;
+
+enum { HEXCON_METHOD_TRIES = 2 };
+
+/** What a method is for, what it takes, and what is to be expected of it. Texts are static, never
+ * NULL. Every method takes order, threads, budget and the like. */
+typedef struct hexcon_method_facts {
+  hexcon_method method;
+  const char *name;    /**< as users write it, e.g. "pyramid-alt" */
+  const char *label;   /**< in a list that people choose from */
+  const char *purpose; /**< one line, without its full stop */
+  /** How a mesh's report is told: {NAME} stands for the figure of that name, what is in [] is left
+   * out where its figures are 0. */
+  const char *told;
+  bool topological;    /**< its meshes are conforming, but some Jacobians are zero or negative: no
+                            solver must be given them, and auto never takes it */
+  bool layers;         /**< takes hexcon_mesh_options.layers */
+  bool core;           /**< heeds no_core */
+  bool pairing;        /**< takes pairing and pairs */
+  bool tetrahedralise; /**< calls it, where there is one */
+  bool holes;          /**< fills bodies with holes through them */
+  bool cavities;       /**< fills bodies with cavities */
+  bool odd_colours;    /**< takes points that cannot be coloured black and white along edges */
+  bool odd_paths;   /**< takes surfaces that bound no hex mesh (NO_HEX_MESH), as it fills no body */
+  bool renumbering; /**< promised: the mesh does not depend on how points and quads are numbered */
+  double
+      hexes_a_quad; /**< to be expected for each quad; 0: it depends on the volume, not the quads */
+  hexcon_method_try tries[HEXCON_METHOD_TRIES]; /**< of auto; a second one has other options */
+} hexcon_method_facts;
+
+/**
+ * The methods in the order in which users are to see them.
+ * @param row  from 0 on
+ * @return static; NULL beyond the last row
+ */
+const hexcon_method_facts *hexcon_method_info(size_t row);
 
 /** Which quads the topological methods pair, so that no dual loop crosses itself. */
 typedef enum hexcon_pairing {
@@ -409,6 +517,9 @@ typedef enum hexcon_pairing {
   HEXCON_PAIRING_GIVEN,   /**< the caller's pairs */
   HEXCON_PAIRING_COUNT
 } hexcon_pairing;
+
+/** Name of a pairing as users write it, e.g. "fewest"; NULL for values that do not exist. */
+const char *hexcon_pairing_name(int pairing);
 
 /** Tetrahedra that a hexcon_tetrahedralise callback hands out. */
 typedef struct hexcon_tetrahedra {
@@ -437,9 +548,9 @@ typedef struct hexcon_mesh_options {
   int order;              /**< 1 (default) or 2: mid-edge points, VTK_QUADRATIC_HEXAHEDRON order */
   bool allow_uncertified; /**< return the best mesh even if it is not certified */
   int threads;            /**< default: one per processor. The result does not depend on it */
-  int layers;             /**< cells: at least so many layers of plain hexes before any cell */
-  /** cells, diced, sheets: NULL for none; then all meets in one point, if one sees the whole
-   * surface */
+  int layers;             /**< at least so many layers of plain hexes under the surface, before
+                               anything else; which methods take them: hexcon_method_info */
+  /** NULL for none; then all meets in one point, if one sees the whole surface */
   hexcon_tetrahedralise tetrahedralise;
   void *tetrahedralise_user;
   hexcon_pairing pairing; /**< topological methods */
@@ -451,7 +562,7 @@ typedef struct hexcon_mesh_options {
                               given up; the best mesh until then is taken. 0: no limit */
   bool allow_topological; /**< topological methods: take a surface that crosses or touches itself
                              too: its hexes overlap, as the certificate says */
-  bool no_core;           /**< sheets: do not fill what the layers leave, but refuse: NO_SHEETS */
+  bool no_core;           /**< do not fill what layers leave, but refuse: NO_SHEETS */
 } hexcon_mesh_options;
 
 /** Result of hexcon_mesh_surface. */
@@ -501,6 +612,9 @@ typedef struct hexcon_figure {
   char name[48];
   double value;
 } hexcon_figure;
+/** The stages that put hexes in; where there are several of one kind, a number follows its name:
+ * "hexes of split layer 2". @param row from 0 on @return NULL beyond the last */
+const hexcon_stage_facts *hexcon_hex_stage(size_t row);
 /** @param figures receives the array @return its length */
 size_t hexcon_mesh_report(const hexcon_mesh *mesh, const hexcon_figure **figures);
 /** What was tried, in order, a line each; valid as long as the mesh. */

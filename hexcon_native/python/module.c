@@ -6,18 +6,7 @@
 #include "buffers.h"
 #include "mesher_call.h"
 #include "run.h"
-
-static PyObject *status_codes(PyObject *module, PyObject *arguments) {
-  (void)module, (void)arguments;
-  PyObject *codes = PyDict_New();
-  for (int status = 1; codes && hexcon_status_name(status); status++) {
-    PyObject *value = PyLong_FromLong(status);
-    if (!value || PyDict_SetItemString(codes, hexcon_status_name(status), value) < 0)
-      Py_CLEAR(codes);
-    Py_XDECREF(value);
-  }
-  return codes;
-}
+#include "tables.h"
 
 static PyObject *boolean(bool value) {
   return PyBool_FromLong(value);
@@ -435,7 +424,13 @@ static PyObject *mesh(PyObject *module, PyObject *arguments) {
 }
 
 static PyMethodDef methods[] = {
-    {"status_codes", status_codes, METH_NOARGS, "status_codes() -> dict of name to number"},
+    {"methods", table_of_methods, METH_NOARGS, "methods() -> list of dicts, one a method"},
+    {"pairings", table_of_pairings, METH_NOARGS, "pairings() -> list of names, by number"},
+    {"statuses", table_of_statuses, METH_NOARGS,
+     "statuses() -> list of (name, meaning, elements, advice), by number; 0 is OK"},
+    {"progress_stages", table_of_progress_stages, METH_NOARGS,
+     "progress_stages() -> list of (name, words)"},
+    {"hex_stages", table_of_hex_stages, METH_NOARGS, "hex_stages() -> list of (name, words)"},
     {"check_surface", check_surface, METH_VARARGS, "check_surface(points, quads) -> dict"},
     {"embedding", embedding, METH_VARARGS, "embedding(points, quads, progress) -> dict"},
     {"loops", loops, METH_VARARGS, "loops(quads) -> (offsets, quads, self_crossings)"},

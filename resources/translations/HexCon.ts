@@ -53,63 +53,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>automatic</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>swept</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cells</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>sheets</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>diced</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>four-split</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>pyramid</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>pyramid, alternative</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>geode</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>geode, alternative</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>pillowed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>smallest</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>shelling</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{method} (topology only)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How the surface is filled with hexes: swept from cap to cap, or cells, which fill any body with many more hexes; automatic sweeps where it can. Topology only: to look at; no solver must be given such a mesh</source>
+        <source>How the surface is filled with hexes; the list says what each method is for. Topology only: to look at; no solver must be given such a mesh</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -121,7 +69,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>At least so many layers of plain hexes under the surface; a swept mesh has none, so that automatic then takes cells</source>
+        <source>At least so many layers of plain hexes under the surface; automatic then tries only methods that lay them</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -353,7 +301,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>about {swept} hexes swept, {cells} in cells</source>
+        <source>about {natural} hexes in sweeps and blocks, {count} otherwise</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -417,35 +365,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>sweep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>blocks</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>subdivided quads</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>subdivided triangles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>blossom</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>transfinite</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Wanted length of the edges of the hexahedra</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How the surface is meshed with quads: swept from cap to cap; in blocks, for round solids and those with three edges at each corner; or by gmsh, for any solid. Automatic takes the first that can be</source>
+        <source>How the surface is meshed with quads; the list says what each method is for. Automatic takes the first that can be</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -474,78 +398,6 @@
     </message>
     <message>
         <source>What the quads were made from is gone; they stay as they are.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>CalculiX solves</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Surface: starting gmsh</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Surface: reading the solid</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Surface: quads of the cap</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Surface: quads of the walls</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Surface: quads by gmsh</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Surface: distance from the solid</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hexes: looking for sweeps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Surface: which closed paths bound inside</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hexes: pairing quads</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hexes: tetrahedra inside</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hexes: measuring</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hexes: untangling</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hexes: placing points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hexes: improving the worst</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Certificate: neighbourhoods</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Certificate: pairs of hexes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Certificate: Jacobians</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -601,30 +453,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>swept, {cap} cap quads × {rings} rings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{sheets} sheets</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>, a core of {quads} quads</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>shelling, {rotations} rotated edges in {shells} shells</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>diced, {triangles} coarse triangles, {quads} coarse quads, {tetrahedra} tetrahedra inside</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cells, {layers} layers, {tetrahedra} tetrahedra inside</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>; {number:.1f} hexes a quad</source>
         <translation type="unfinished"></translation>
     </message>
@@ -674,22 +502,6 @@
     </message>
     <message>
         <source>{count} from the boundary to the core</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>boundary layers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>tetrahedra inside</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>star inside</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>core</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -757,6 +569,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>nothing overlaps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>its boundary exact</source>
         <translation type="unfinished"></translation>
     </message>
@@ -781,7 +597,359 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>it overlaps itself: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>whether it overlaps itself could not be told: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>NOT certified: </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tries the methods for solvers, those of fewest hexes first, until one is certified and good, and takes the best</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>swept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sweeps: as many hexes as a cap's quads times rings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>swept, {cap quads} cap quads × {rings} rings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>boxes, polyhedra and mixtures that are no sweep, of balls: layers of hexes take one dual loop after the other away, until a cube or a core is left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{sheets} sheets[, a core of {core quads} quads]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>diced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>subdivided triangles or quads around any body: tetrahedra inside, each cut into four hexes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>diced, {coarse triangles} coarse triangles, {coarse quads} coarse quads, {tetrahedra} tetrahedra inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smallest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up to 16 quads around a ball: the smallest filling known, from a table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shelling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>irregular surfaces of balls, up to some 400 quads: edges rotate in shells under the surface, then as sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shelling, {rotations} rotated edges in {shells} shells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any body, also with boundary layers: a cell of hexes on each pair of quads, and tetrahedra inside, each cut into four hexes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cells, {layers} layers, {tetrahedra} tetrahedra inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>four-split</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layers of hexes under any surface, down to quads that are all split in four</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pyramid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Carbonera and Shepherd's pyramids, in balls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pyramid, alternative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pyramids under Mitchell's split layers, in balls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pyramid-alt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>geode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Carbonera and Shepherd's Geodes; with tetrahedra inside round holes too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>geode, alternative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Geodes under Mitchell's split layers; with tetrahedra inside round holes too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>geode-alt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pillowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>geode-alt without doublets: two hexes share one face at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the first of the others that can be, in the order of what hexes they lead to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>solids that go from one cap to another: prisms, pipes, frusta, wedges, bent bars</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blocks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>round solids, and those with three edges at each corner: quads of a few blocks of hexes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>subdivided quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any solid: gmsh's quads and triangles, each cut about its middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>subdivided triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any solid: gmsh's triangles, each cut into three quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blossom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any solid, by luck: gmsh's triangles, paired to quads; few and even ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>transfinite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>solids whose faces all have four sides: grids</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface: starting gmsh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface: reading the solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface: quads of the cap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface: quads of the walls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface: quads of the blocks' faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface: quads by gmsh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface: distance from the solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CalculiX solves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface: which closed paths bound inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: pairing quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: looking for sweeps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: placing points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: taking dual loops away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: looking for edges to rotate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: laying split layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: closing the inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: cutting tetrahedra</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: tetrahedra inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: measuring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: untangling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: improving the worst</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: moving to another boundary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificate: neighbourhoods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificate: pairs of hexes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificate: Jacobians</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Does the surface cross itself?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>boundary layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>star inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tetrahedra inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Geodes on coarse quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pyramids on coarse quads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shells of rotated edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sheets inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paired transition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>split layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>further split layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>closure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pillows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all hexes</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -4,7 +4,7 @@ import os
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 from session import (OUT, button, called_topological, close_panel, find, gmsh_runs, held_at,
                      is_idle, mesh, open_panel, picture, run, say, select, settle, start_macro, stop_macro,
                      wait, words)
@@ -216,8 +216,27 @@ def the_method_is_chosen():
     method = find(QtGui.QComboBox, "method")
     method.setCurrentIndex(method.findData("cells"))
     assert layers.isEnabled()
+    the_guess_follows_the_tables(solid.Shape, method, layers)
     close_panel()
     state["doc"].removeObject(solid.Name)
+
+
+def the_guess_follows_the_tables(shape, method, layers):
+    """Hexes to expect of a ball with subdivided quads of size 2."""
+    from hexcon.gui.filling import guess
+    from hexcon.quads import METHOD_TABLE as SURFACE_METHODS
+    from hexcon_native import METHOD_TABLE
+    quads, natural = shape.Area / 4, shape.Volume / 8
+    layers.setValue(0)
+    for name, hexes in (("shelling", METHOD_TABLE["shelling"].hexes_a_quad * quads), ("swept", natural),
+                        ("diced", SURFACE_METHODS["subdivided"].hexes_a_quad * quads),
+                        ("cells", METHOD_TABLE["cells"].hexes_a_quad * quads)):
+        method.setCurrentIndex(method.findData(name))
+        assert find(QtGui.QLabel, "expected").text() == f"about {guess(hexes)} hexes", name
+    layers.setValue(2)
+    assert find(QtGui.QLabel, "expected").text() == f"about {guess(hexes + 2 * quads)} hexes"
+    tips = [method.itemData(row, QtCore.Qt.ToolTipRole) for row in range(method.count())]
+    assert all(tips) and len(set(tips)) == method.count()
 
 
 def topology_only_needs_a_tick():

@@ -99,8 +99,8 @@ def bare_addon(folder):
     native.mkdir(parents=True)
     for name in ("Init.py", "InitGui.py", "package.xml", "resources", "workbench"):
         (folder / name).symlink_to(ROOT / name)
-    for name in ("__init__.py", "errors.py"):
-        (native / name).symlink_to(ROOT / "hexcon_native" / name)
+    for path in (ROOT / "hexcon_native").glob("*.py"):
+        (native / path.name).symlink_to(path)
     return folder
 
 

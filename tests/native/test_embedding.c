@@ -93,8 +93,8 @@ static void box_tree_finds_all_pairs(void **state) {
         boxes[i].high[k] = boxes[i].low[k] + (i % 7 == 0 ? 0 : size);
       }
     memset(&pairs, 0, sizeof pairs);
-    assert_int_equal(box_tree_visit_pairs(context, boxes, count, "boxes", note_pair, &pairs),
-                     HEXCON_OK);
+    assert_int_equal(
+        box_tree_visit_pairs(context, boxes, count, STAGE_EMBEDDING, note_pair, &pairs), HEXCON_OK);
     for (size_t i = 0; i < count; i++)
       for (size_t j = 0; j < count; j++) {
         bool meet = i != j;

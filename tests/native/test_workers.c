@@ -43,7 +43,7 @@ static void every_item_once(void **state) {
   for (int threads = 1; threads <= MOST_THREADS; threads++)
     for (size_t c = 0; c < COUNTS; c++) {
       ledger l = {.fail_at = SIZE_MAX};
-      assert_int_equal(workers_run(context, threads, counts[c], "counting", note_item, &l),
+      assert_int_equal(workers_run(context, threads, counts[c], STAGE_MEASURING, note_item, &l),
                        HEXCON_OK);
       for (size_t i = 0; i < MOST_ITEMS; i++)
         assert_int_equal(l.done[i], i < counts[c]);
@@ -71,7 +71,7 @@ static void fault_arrives(void **state) {
       (void)snprintf(words, sizeof words, "item %zu is not swept", fail_at);
       ledger l = {.fail_at = fail_at};
       context_clear(context);
-      assert_int_equal(workers_run(context, threads, MOST_ITEMS, "failing", note_item, &l),
+      assert_int_equal(workers_run(context, threads, MOST_ITEMS, STAGE_MEASURING, note_item, &l),
                        HEXCON_NOT_SWEPT);
       assert_string_equal(hexcon_context_message(context), words);
       assert_elements(context, (int32_t[]){(int32_t)fail_at, 77}, 2);
@@ -97,7 +97,7 @@ static hexcon_status meet(void *user, hexcon_context *context, int worker, size_
     while (!atomic_load(&m->failed))
       thrd_yield();
   while (worker == 1 && !status) {
-    status = context_progress(context, "asking", 0.5);
+    status = context_progress(context, STAGE_MEASURING, 0.5);
     atomic_store(&m->asking, true);
   }
   if (worker == 2) {
@@ -114,7 +114,7 @@ static void fault_is_not_taken_for_cancellation(void **state) {
   (void)state;
   hexcon_context *context = hexcon_context_new();
   meeting m = {0};
-  assert_int_equal(workers_run(context, 3, 3, "meeting", meet, &m), HEXCON_NOT_SWEPT);
+  assert_int_equal(workers_run(context, 3, 3, STAGE_MEASURING, meet, &m), HEXCON_NOT_SWEPT);
   assert_string_equal(hexcon_context_message(context), "the fault itself");
   hexcon_context_free(context);
 }
@@ -130,7 +130,7 @@ typedef struct listener {
 static bool listen(void *user, const char *stage, double fraction) {
   listener *l = user;
   l->wrong_thread |= !thrd_equal(thrd_current(), l->caller);
-  l->wrong_words |= strcmp(stage, "listening, 64 hexes") != 0 || !(fraction >= 0 && fraction <= 1);
+  l->wrong_words |= strcmp(stage, "measuring, 64 hexes") != 0 || !(fraction >= 0 && fraction <= 1);
   return ++l->calls != l->cancel_at;
 }
 
@@ -138,7 +138,7 @@ static hexcon_status ask(void *user, hexcon_context *context, int worker, size_t
   (void)worker;
   hexcon_status status = HEXCON_OK;
   for (int i = 0; !status && i < 20; i++)
-    status = context_progress(context, "an item's own words", (double)i / 20);
+    status = context_progress(context, STAGE_UNTANGLING, (double)i / 20);
   atomic_fetch_add((atomic_size_t *)user, item + 1);
   thrd_yield();
   return status;
@@ -154,7 +154,7 @@ static void cancellation_from_the_calling_thread(void **state) {
       context_clear(context);
       context_tell_mesh(context, 64, 0, NAN);
       hexcon_context_set_progress(context, listen, &l);
-      hexcon_status status = workers_run(context, threads, MOST_ITEMS, "listening", ask, &sum);
+      hexcon_status status = workers_run(context, threads, MOST_ITEMS, STAGE_MEASURING, ask, &sum);
       bool cancelled =
           cancel_at > 0 && l.calls >= cancel_at; /* others may have done all the work */
       assert_int_equal(status, cancelled ? HEXCON_CANCELLED : HEXCON_OK);
@@ -178,22 +178,22 @@ static void progress_tells_what_is_known_of_the_mesh(void **state) {
   char told[100];
   hexcon_context *context = hexcon_context_new();
   hexcon_context_set_progress(context, remember, told);
-  assert_int_equal(context_progress(context, "pairing", 0), HEXCON_OK);
+  assert_int_equal(context_progress(context, STAGE_PAIRING, 0), HEXCON_OK);
   assert_string_equal(told, "pairing");
   context_tell_mesh(context, 4212, 0, NAN);
-  assert_int_equal(context_progress(context, "placement", 0), HEXCON_OK);
+  assert_int_equal(context_progress(context, STAGE_PLACEMENT, 0), HEXCON_OK);
   assert_string_equal(told, "placement, 4212 hexes");
   context_tell_mesh(context, 4212, 17, -0.5);
-  assert_int_equal(context_progress(context, "untangling", 0), HEXCON_OK);
+  assert_int_equal(context_progress(context, STAGE_UNTANGLING, 0), HEXCON_OK);
   assert_string_equal(told, "untangling, 17 of 4212 hexes inverted");
   context_tell_mesh(context, 4212, 0, 0.3124);
-  assert_int_equal(context_progress(context, "optimisation", 0), HEXCON_OK);
+  assert_int_equal(context_progress(context, STAGE_OPTIMISATION, 0), HEXCON_OK);
   assert_string_equal(told, "optimisation, 4212 hexes, worst scaled Jacobian 0.312");
   context_tell_mesh(context, SIZE_MAX, SIZE_MAX - 1, -DBL_MAX);
-  assert_int_equal(context_progress(context, "all words fit", 1), HEXCON_OK);
+  assert_int_equal(context_progress(context, STAGE_JACOBIANS, 1), HEXCON_OK);
   assert_string_equal(told + strlen(told) - 15, " hexes inverted");
   context_clear(context);
-  assert_int_equal(context_progress(context, "pairing", 0), HEXCON_OK);
+  assert_int_equal(context_progress(context, STAGE_PAIRING, 0), HEXCON_OK);
   assert_string_equal(told, "pairing");
   hexcon_context_free(context);
 }
@@ -233,7 +233,7 @@ static void allocator_is_entered_by_one(void **state) {
   for (int threads = 1; threads <= MOST_THREADS; threads++) {
     fragile_memory f = {0};
     hexcon_context *context = hexcon_context_new_with(fragile_reallocate, &f);
-    assert_int_equal(workers_run(context, threads, MOST_ITEMS, "allocating", allocate, NULL),
+    assert_int_equal(workers_run(context, threads, MOST_ITEMS, STAGE_MEASURING, allocate, NULL),
                      HEXCON_OK);
     assert_int_equal(f.collisions, 0);
     assert_int_equal(f.memory.live, 1);
@@ -248,7 +248,7 @@ static void out_of_memory(void **state) {
     for (size_t fail_at = 2; fail_at < 40; fail_at += 5) {
       fragile_memory f = {.memory = {.fail_at = fail_at}};
       hexcon_context *context = hexcon_context_new_with(fragile_reallocate, &f);
-      assert_int_equal(workers_run(context, threads, MOST_ITEMS, "allocating", allocate, NULL),
+      assert_int_equal(workers_run(context, threads, MOST_ITEMS, STAGE_MEASURING, allocate, NULL),
                        HEXCON_OUT_OF_MEMORY);
       assert_message(context);
       assert_int_equal(f.collisions, 0);

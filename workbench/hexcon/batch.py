@@ -6,15 +6,15 @@ import sys
 import time
 import traceback
 
-from hexcon_native import METHODS, check_options
+from hexcon_native import METHOD_TABLE, check_options
 
 from .chatter import chatter_to
-from .cli.arguments import PAIRINGS
+from .cli.arguments import LAYERS_HELP, PAIRING_HELP, PAIRINGS, methods_help
 from .cli.commands import SOLID_ENDINGS, pairing_option
 from .errors import FaultCode, HexconError, ToolError
 from .files import WRITERS, check_method_for, write
 from .meshing import mesh_solid
-from .quads import METHODS as SURFACE_METHODS
+from .quads import METHOD_TABLE as SURFACE_METHOD_TABLE
 from .topological import BY_OPTION, is_topological
 
 EXIT_DONE, EXIT_SOME_FAILED, EXIT_USAGE = 0, 1, 2
@@ -107,12 +107,13 @@ def _parser():
         ".FCStd" if e == ".fcstd" else e for e in WRITERS),
         help="a format; may be given several times (default .inp)")
     parser.add_argument("--order", type=int, choices=(1, 2), default=1)
-    parser.add_argument("--surface-method", choices=SURFACE_METHODS, default="auto")
-    parser.add_argument("--method", choices=list(METHODS), default="auto")
-    parser.add_argument("--layers", type=int, default=0,
-                        help="cells: at least so many layers of plain hexes under the surface")
+    parser.add_argument("--surface-method", choices=list(SURFACE_METHOD_TABLE), default="auto",
+                        help=f"how surfaces are meshed with quads. {methods_help(SURFACE_METHOD_TABLE)}")
+    parser.add_argument("--method", choices=list(METHOD_TABLE), default="auto",
+                        help=f"how they are filled with hexes. {methods_help(METHOD_TABLE)}")
+    parser.add_argument("--layers", type=int, default=0, metavar="K", help=LAYERS_HELP)
     parser.add_argument("--pairing", choices=PAIRINGS, default=PAIRINGS[0],
-                        help="topological methods: which quads are paired")
+                        help=PAIRING_HELP)
     parser.add_argument("--allow-topological", action="store_true",
                         help="write a mesh of topology only even to .inp and .FCStd")
     return parser

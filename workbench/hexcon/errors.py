@@ -6,25 +6,47 @@ from hexcon_native.errors import HexconError
 
 
 class FaultCode(enum.Enum):
-    """One member per fault; the value is the word used in logs and in --json."""
+    """One member per fault: the value is the word used in logs and in --json; .meaning, .listed (what a
+    HexconError's elements are; "": nothing) and .advice are for people."""
 
-    TOOL_MISSING = "tool missing"              # gmsh, ccx or freecadcmd is not installed
-    TOOL_FAILED = "tool failed"                # it ran and reported an error
-    TOOL_TIMEOUT = "tool timeout"              # it ran into the time limit
-    NOT_SWEEPABLE = "solid not sweepable"      # method sweep on a solid that is no sweep
-    NOT_BLOCKS = "solid not made of blocks"    # method blocks on a solid with other corners, or round elsewhere
-    NOT_TRANSFINITE = "solid not transfinite"  # a face without four sides
-    NOT_ALL_QUAD = "not all quads"             # triangles left in the surface
-    ODD_SURFACE = "odd surface"                # an odd number of quads, whatever the size
-    OFF_CAD = "points off the CAD surface"     # further than 1e-7 from their CAD face
-    BAD_SHAPE = "bad shape"                    # no solid, several solids, invalid geometry
-    BAD_OPTION = "bad option"                  # unknown method, size <= 0, ...
-    FILE_FORMAT = "file format"                # unknown ending, or not readable as such
-    FILE_IO = "file input/output"              # missing, no permission, disk full
-    FREECAD_MISSING = "FreeCAD missing"        # this call needs FreeCAD's Python modules
-    BAD_TRIANGLES = "bad triangles"            # not closed, not outward, a point unused or not finite
-    TOPOLOGICAL_MESH = "topological mesh"      # topology only, asked for where a solver would take it
-    BAD_MESH = "bad mesh"                      # not a hex mesh: wrong shape, index out of range
+    def __new__(cls, word, meaning, listed, advice):
+        code = object.__new__(cls)
+        code._value_ = word
+        code.meaning, code.listed, code.advice = meaning, listed, advice
+        return code
+
+    TOOL_MISSING = ("tool missing", "gmsh, CalculiX or FreeCAD's command line program is not installed, or not found",
+                    "", "install what the message names, or say where it is")
+    TOOL_FAILED = ("tool failed", "a program ran and reported an error, or crashed", "CAD faces left without elements",
+                   "read its last words in the message; another size or method may do")
+    TOOL_TIMEOUT = ("tool timeout", "a program ran into its time limit", "", "allow more time, or take a larger size")
+    NOT_SWEEPABLE = ("solid not sweepable", "surface method sweep was given a solid that is no sweep", "",
+                     "take another surface method, or auto")
+    NOT_BLOCKS = ("solid not made of blocks", "surface method blocks was given a solid with other than three edges "
+                  "at a corner, or round elsewhere than it can be", "CAD faces at fault",
+                  "take another surface method, or auto")
+    NOT_TRANSFINITE = ("solid not transfinite", "a face does not have four sides", "CAD faces",
+                       "take another surface method, or auto")
+    NOT_ALL_QUAD = ("not all quads", "triangles are left in the surface", "",
+                    "take another size, or a subdivided surface")
+    ODD_SURFACE = ("odd surface", "the number of quads is odd whatever the size", "", "take a subdivided surface")
+    OFF_CAD = ("points off the CAD surface", "points lie further than 1e-7 from their CAD faces", "points",
+               "mend the solid's geometry, or take another size")
+    BAD_SHAPE = ("bad shape", "there is no solid, or there are several, or its geometry is invalid", "points or quads",
+                 "give one valid, closed solid; Part, Check geometry tells what is wrong with it")
+    BAD_OPTION = ("bad option", "an option is unknown or out of its range", "", "give what the message asks for")
+    FILE_FORMAT = ("file format", "a file's ending is unknown, or its content is not what the ending says", "",
+                   "give a file of the formats that the message lists, whole and undamaged")
+    FILE_IO = ("file input/output", "a file is missing, or cannot be read or written", "",
+               "check its name, the permissions and the room on the disk")
+    FREECAD_MISSING = ("FreeCAD missing", "the call needs FreeCAD's Python modules", "",
+                       "run it in FreeCAD or by freecadcmd, or give a STEP or BREP file")
+    BAD_TRIANGLES = ("bad triangles", "triangles are not closed, not outward, or hold a point that is unused or not "
+                     "finite", "triangles, or points", "give a closed, outward triangulation")
+    TOPOLOGICAL_MESH = ("topological mesh", "a mesh of topology only was asked for where a solver would take it", "",
+                        "take a method for solvers, or allow topological meshes to look at them")
+    BAD_MESH = ("bad mesh", "what was given is no hex mesh: wrong shape, or ids out of range", "elements",
+                "check what was read or selected")
 
 
 class ToolError(HexconError):

@@ -89,22 +89,23 @@ void context_tell_mesh(hexcon_context *context, size_t hexes, size_t inverted, d
     (void)snprintf(figures, size, ", %zu hexes, worst scaled Jacobian %.3f", hexes, worst);
 }
 
-bool context_report(hexcon_context *context, const char *stage, double fraction) {
+bool context_report(hexcon_context *context, progress_stage stage, double fraction) {
   char words[sizeof context->figures + 64];
   if (!context->progress)
     return true;
-  (void)snprintf(words, sizeof words, "%s%s", stage, context->figures);
+  (void)snprintf(words, sizeof words, "%s%s", hexcon_progress_stage(stage)->name, context->figures);
   return context->progress(context->progress_user, words, fraction);
 }
 
-hexcon_status context_progress(hexcon_context *context, const char *stage, double fraction) {
+hexcon_status context_progress(hexcon_context *context, progress_stage stage, double fraction) {
+  const char *name = hexcon_progress_stage(stage)->name;
   if (!context_report(context, stage, fraction))
-    return context_fail(context, HEXCON_CANCELLED, "cancelled during %s", stage);
+    return context_fail(context, HEXCON_CANCELLED, "cancelled during %s", name);
   if (context->deadline > 0 && context_clock() > context->deadline)
     return context_fail(context, HEXCON_OUT_OF_TIME,
                         "the time budget ran out during %s, before there was a mesh: allow more "
                         "time, or mesh with larger quads",
-                        stage);
+                        name);
   return HEXCON_OK;
 }
 

@@ -4,8 +4,9 @@
 #define HEXCON_BASE_CONTEXT_H
 
 #include "hexcon.h"
+#include "stages.h"
 
-/** At most this many offending ids are kept (design.md, section 3). */
+/** At most this many offending ids are kept; include/hexcon.h promises it. */
 #define CONTEXT_MAX_ELEMENTS 1000
 
 /** Every count of things that get an id must stay below this. */
@@ -46,11 +47,11 @@ double context_clock(void);
 void context_tell_mesh(hexcon_context *context, size_t hexes, size_t inverted, double worst);
 
 /** Tell the caller of a stage and of the mesh at work; false to cancel. */
-bool context_report(hexcon_context *context, const char *stage, double fraction);
+bool context_report(hexcon_context *context, progress_stage stage, double fraction);
 
 /** Report progress; HEXCON_CANCELLED if the user wants to stop, HEXCON_OUT_OF_TIME after the
  * deadline, with the error stored. */
-hexcon_status context_progress(hexcon_context *context, const char *stage, double fraction);
+hexcon_status context_progress(hexcon_context *context, progress_stage stage, double fraction);
 
 /**
  * Allocate count items of size bytes, not initialised; count 0 gives a valid pointer.

@@ -1,45 +1,16 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
 #include "hexcon.h"
 
-static const char *const status_names[HEXCON_STATUS_COUNT] = {
-    [HEXCON_OK] = "OK",
-    [HEXCON_OUT_OF_MEMORY] = "OUT_OF_MEMORY",
-    [HEXCON_CANCELLED] = "CANCELLED",
-    [HEXCON_BAD_ARGUMENT] = "BAD_ARGUMENT",
-    [HEXCON_TOO_LARGE] = "TOO_LARGE",
-    [HEXCON_WRONG_SHAPE] = "WRONG_SHAPE",
-    [HEXCON_WRONG_TYPE] = "WRONG_TYPE",
-    [HEXCON_EMPTY] = "EMPTY",
-    [HEXCON_INDEX_OUT_OF_RANGE] = "INDEX_OUT_OF_RANGE",
-    [HEXCON_REPEATED_VERTEX] = "REPEATED_VERTEX",
-    [HEXCON_NOT_FINITE] = "NOT_FINITE",
-    [HEXCON_UNUSED_POINT] = "UNUSED_POINT",
-    [HEXCON_NOT_CLOSED] = "NOT_CLOSED",
-    [HEXCON_NON_MANIFOLD_EDGE] = "NON_MANIFOLD_EDGE",
-    [HEXCON_NON_MANIFOLD_VERTEX] = "NON_MANIFOLD_VERTEX",
-    [HEXCON_NOT_ORIENTABLE] = "NOT_ORIENTABLE",
-    [HEXCON_INCONSISTENT_ORIENTATION] = "INCONSISTENT_ORIENTATION",
-    [HEXCON_SEVERAL_COMPONENTS] = "SEVERAL_COMPONENTS",
-    [HEXCON_ODD] = "ODD",
-    [HEXCON_NOT_BIPARTITE] = "NOT_BIPARTITE",
-    [HEXCON_NO_PAIRING] = "NO_PAIRING",
-    [HEXCON_BAD_PAIRING] = "BAD_PAIRING",
-    [HEXCON_SELF_CROSSING] = "SELF_CROSSING",
-    [HEXCON_NO_SIDES] = "NO_SIDES",
-    [HEXCON_NOT_A_BALL] = "NOT_A_BALL",
-    [HEXCON_UNFILLABLE_QUAD] = "UNFILLABLE_QUAD",
-    [HEXCON_NOT_STAR_SHAPED] = "NOT_STAR_SHAPED",
-    [HEXCON_NOT_SWEPT] = "NOT_SWEPT",
-    [HEXCON_NO_SHEETS] = "NO_SHEETS",
-    [HEXCON_NOT_DICED] = "NOT_DICED",
-    [HEXCON_NOT_CERTIFIED] = "NOT_CERTIFIED",
-    [HEXCON_OUT_OF_TIME] = "OUT_OF_TIME",
-    [HEXCON_NO_SMALL_FILLING] = "NO_SMALL_FILLING",
-    [HEXCON_NO_ROTATIONS] = "NO_ROTATIONS",
-    [HEXCON_NO_HEX_MESH] = "NO_HEX_MESH",
-    [HEXCON_SELF_INTERSECTING] = "SELF_INTERSECTING",
-};
+#define FACTS(name, meaning, elements, advice) {#name, meaning, elements, advice},
+static const hexcon_status_facts facts[HEXCON_STATUS_COUNT] = {{"OK", "", "", ""},
+                                                               HEXCON_STATUSES(FACTS)};
+#undef FACTS
+
+const hexcon_status_facts *hexcon_status_info(int status) {
+  return status >= 0 && status < HEXCON_STATUS_COUNT ? &facts[status] : NULL;
+}
 
 const char *hexcon_status_name(int status) {
-  return status >= 0 && status < HEXCON_STATUS_COUNT ? status_names[status] : NULL;
+  const hexcon_status_facts *found = hexcon_status_info(status);
+  return found ? found->name : NULL;
 }

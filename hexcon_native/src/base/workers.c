@@ -12,7 +12,7 @@ typedef struct shared_work {
   atomic_size_t next;
   atomic_bool stopped;
   size_t count;
-  const char *stage;
+  progress_stage stage;
   work_function work;
   void *user;
 } shared_work;
@@ -98,7 +98,7 @@ static void run_threads(shared_work *shared, worker *workers, int count) {
     (void)thrd_join(threads[i], NULL);
 }
 
-hexcon_status workers_run(hexcon_context *context, int threads, size_t count, const char *stage,
+hexcon_status workers_run(hexcon_context *context, int threads, size_t count, progress_stage stage,
                           work_function work, void *user) {
   if ((size_t)threads > count)
     threads = count > 0 ? (int)count : 1;

@@ -25,7 +25,7 @@ int workers_count(int wanted);
  * @param stage  what the user is told; the fraction is that of the items begun
  * @return the first fault found, whose words are then in `context`; no item is begun after one.
  */
-hexcon_status workers_run(hexcon_context *context, int threads, size_t count, const char *stage,
+hexcon_status workers_run(hexcon_context *context, int threads, size_t count, progress_stage stage,
                           work_function work, void *user);
 
 #endif

@@ -142,7 +142,7 @@ typedef struct node_pair {
 
 typedef struct visitor {
   const tree *tree;
-  const char *stage;
+  progress_stage stage;
   box_pair_visit visit;
   void *user;
   size_t leaves_done;
@@ -207,7 +207,7 @@ static hexcon_status visit_tree(visitor *v, hexcon_context *context) {
 }
 
 hexcon_status box_tree_visit_pairs(hexcon_context *context, const box *boxes, size_t count,
-                                   const char *stage, box_pair_visit visit, void *user) {
+                                   progress_stage stage, box_pair_visit visit, void *user) {
   tree t;
   hexcon_status status = tree_new(context, boxes, count, &t);
   visitor v = {&t, stage, visit, user, 0};

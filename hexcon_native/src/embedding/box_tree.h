@@ -22,6 +22,6 @@ typedef hexcon_status (*box_pair_visit)(void *user, hexcon_context *context, int
  * order along the curve is used: the tree halves the list.
  */
 hexcon_status box_tree_visit_pairs(hexcon_context *context, const box *boxes, size_t count,
-                                   const char *stage, box_pair_visit visit, void *user);
+                                   progress_stage stage, box_pair_visit visit, void *user);
 
 #endif

@@ -257,7 +257,7 @@ static hexcon_status judge_scene(hexcon_context *context, scene *s, hexcon_embed
   if (!status && s->twin_count == 0) {
     set_boxes(s);
     find_folded(s);
-    status = box_tree_visit_pairs(context, s->boxes, s->quad_count, "embedding", visit_pair, s);
+    status = box_tree_visit_pairs(context, s->boxes, s->quad_count, STAGE_EMBEDDING, visit_pair, s);
     if (status == HEXCON_STATUS_COUNT)
       status = HEXCON_OK;
   }

@@ -41,10 +41,10 @@ typedef struct improvement {
   int threads;
   double target;
   pass_kind kind;
-  bool patient;      /* of repair_patch */
-  double distance;   /* of sharpen_patch */
-  double floor;      /* of raise_mean_patch */
-  const char *stage; /* for the user */
+  bool patient;         /* of repair_patch */
+  double distance;      /* of sharpen_patch */
+  double floor;         /* of raise_mean_patch */
+  progress_stage stage; /* for the user */
 } improvement;
 
 /** What is never made worse, in this order. */
@@ -102,7 +102,7 @@ static hexcon_status measure_range(void *user, hexcon_context *context, int work
   end = end < m->set.mesh_hex_count ? end : m->set.mesh_hex_count;
   for (size_t h = item * MEASURED_AT_ONCE; h < end; h++)
     m->quality[h] = measure(m, h);
-  return context_progress(context, "measuring", (double)end / (double)m->set.mesh_hex_count);
+  return context_progress(context, STAGE_MEASURING, (double)end / (double)m->set.mesh_hex_count);
 }
 
 /** Positions and qualities of a region as they are in the patch. */
@@ -206,7 +206,7 @@ static hexcon_status repair_mesh(hexcon_context *context, improvement *m, int ro
   hexcon_status status = HEXCON_OK;
   size_t before = SIZE_MAX, harder = 0;
   m->kind = REPAIR;
-  m->stage = "untangling";
+  m->stage = STAGE_UNTANGLING;
   for (; !status && *done < (size_t)rounds; ++*done) {
     size_t count = 0;
     for (size_t h = 0; h < m->set.mesh_hex_count; h++)
@@ -281,7 +281,7 @@ static hexcon_status sharpen_mesh(hexcon_context *context, improvement *m, int r
                                   size_t *done) {
   hexcon_status status = HEXCON_OK;
   m->kind = SHARPEN;
-  m->stage = "optimisation";
+  m->stage = STAGE_OPTIMISATION;
   for (; !status && *done < (size_t)rounds; ++*done) {
     const sharpening *pass = &schedule[*done < SHARPENINGS ? *done : SHARPENINGS - 1];
     size_t count;
@@ -302,7 +302,7 @@ static const double floor_part = 0.76, lowest_floor = 0.101, least_floor = 1e-6;
 static hexcon_status raise_mean(hexcon_context *context, improvement *m, int passes) {
   hexcon_status status = HEXCON_OK;
   m->kind = RAISE_MEAN;
-  m->stage = "optimisation";
+  m->stage = STAGE_OPTIMISATION;
   for (int pass = 0; !status && pass < passes; pass++) {
     size_t count;
     double worst;
@@ -359,7 +359,7 @@ static hexcon_status improve_ordered(hexcon_context *context, canonical_order *m
       improvement_new(context, &m, mesh->hexes, mesh->hex_count, mesh->point_count, mesh->fixed);
   context_tell_mesh(context, mesh->hex_count, 0, NAN);
   if (!status)
-    status = workers_run(context, m.threads, ranges, "measuring", measure_range, &m);
+    status = workers_run(context, m.threads, ranges, STAGE_MEASURING, measure_range, &m);
   if (!status)
     status = repair_mesh(context, &m, most, &repairs);
   if (!status)

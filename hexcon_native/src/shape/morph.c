@@ -93,7 +93,7 @@ static hexcon_status travel(hexcon_context *context, journey *j) {
     }
     step = arrived ? 2 * step : step / 2;
     if (!status)
-      status = context_progress(context, "homotopy", j->fraction);
+      status = context_progress(context, STAGE_HOMOTOPY, j->fraction);
   }
   return status;
 }

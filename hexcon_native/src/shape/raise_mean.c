@@ -65,7 +65,7 @@ hexcon_status raise_mean_patch(hexcon_context *context, newton *n, patch *p, dou
         now < before + least_gain * (double)p->hex_count || !guarded_step(n, p, &options, backup))
       break;
     before = now;
-    status = context_progress(context, "optimisation", (double)step / most_steps);
+    status = context_progress(context, STAGE_OPTIMISATION, (double)step / most_steps);
   }
   context_free(context, p->shares);
   p->shares = NULL;

@@ -23,7 +23,7 @@ hexcon_status sharpen_patch(hexcon_context *context, newton *n, patch *p, double
     options.ceiling = worst * (1 + distance);
     if (!isfinite(worst) || worst * target <= 1 || !guarded_step(n, p, &options, backup))
       break;
-    status = context_progress(context, "optimisation", (double)step / most_steps);
+    status = context_progress(context, STAGE_OPTIMISATION, (double)step / most_steps);
   }
   context_free(context, backup);
   return status;

@@ -145,7 +145,7 @@ static hexcon_status place_levels(hexcon_context *context, placement *p) {
   bool backwards = runs_backwards(p);
   for (size_t step = 1; step < levels->rings; step++) {
     hexcon_status status =
-        context_progress(context, "placement", (double)step / (double)levels->rings);
+        context_progress(context, STAGE_PLACEMENT, (double)step / (double)levels->rings);
     if (!status)
       status = place_level(context, p, backwards ? levels->rings - step : step);
     if (status)

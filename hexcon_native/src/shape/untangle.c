@@ -25,7 +25,7 @@ hexcon_status untangle_patch(hexcon_context *context, newton *n, patch *p, bool 
     options.epsilon = next_epsilon(options.epsilon, determinant, left);
     if (!patient)
       options.epsilon = fmin(options.epsilon, fmax(fabs(determinant), smallest_epsilon));
-    status = context_progress(context, "untangling", (double)round / rounds);
+    status = context_progress(context, STAGE_UNTANGLING, (double)round / rounds);
   }
   options.epsilon = 0;
   if (*done && !status)

@@ -114,12 +114,12 @@ hexcon_status closure_tetrahedra(hexcon_context *context, const double *inner, s
   hexcon_tetrahedra made = {0};
   memset(out, 0, sizeof *out);
   *found = false;
-  hexcon_status status = context_progress(context, "tetrahedra inside", 0);
+  hexcon_status status = context_progress(context, STAGE_TETRAHEDRA_INSIDE, 0);
   if (status || !options->tetrahedralise)
     return status;
   if (!options->tetrahedralise(options->tetrahedralise_user, inner, inner_count, triangles,
                                triangle_count, &made))
-    return context_progress(context, "tetrahedra inside", 1); /* cancelled, or nothing found */
+    return context_progress(context, STAGE_TETRAHEDRA_INSIDE, 1); /* cancelled, or nothing found */
   if (made.tetrahedron_count > CONTEXT_MAX_COUNT / 32 || made.point_count > CONTEXT_MAX_COUNT / 2)
     return HEXCON_OK;
   status = allocate(context, made.tetrahedron_count, made.point_count, out);

@@ -5,32 +5,14 @@
 #include <stdio.h>
 #include <string.h>
 
-/** A method, and how good the best mesh must be by then for nothing after it to be tried. */
+#include "methods.h"
+
+/** A method with the options of one of its tries. */
 typedef struct candidate {
-  const char *name;
-  double good_worst; /* scaled Jacobian, or nearly what the surface allows */
-  hexcon_method method;
-  bool has_layers;   /* takes options->layers */
-  bool no_core;      /* see hexcon_mesh_options */
-  size_t most_hexes; /* a quad, with which nothing after it is tried */
+  const method_row *row;
+  const hexcon_method_try *with;
+  char name[48];
 } candidate;
-
-/** Of hexes a quad: the method is not dearer than its successors. */
-#define ANY SIZE_MAX
-
-/** In the order of their worth: fewest hexes first. The fewer a method takes, the less its
- * successors can win, so the lower is what suffices. */
-static const candidate candidates[] = {
-    {"swept", 0.3, HEXCON_METHOD_SWEPT, .most_hexes = ANY},
-    {"sheets", 0.2, HEXCON_METHOD_SHEETS, .no_core = true, .most_hexes = ANY},
-    {"diced", 0.08, HEXCON_METHOD_DICED, .most_hexes = 6},
-    {"smallest", 0.08, HEXCON_METHOD_SMALLEST, .most_hexes = 6},
-    {"shelling", 0.08, HEXCON_METHOD_SHELLING, .most_hexes = ANY},
-    {"sheets and a core", 0.08, HEXCON_METHOD_SHEETS, .most_hexes = ANY},
-    {"cells", 0, HEXCON_METHOD_CELLS, .has_layers = true, .most_hexes = ANY},
-};
-
-enum { CANDIDATES = sizeof candidates / sizeof *candidates };
 
 /** As good as the surface allows is good. */
 static const double near_the_bound = 0.8;
@@ -84,9 +66,9 @@ static void log_fault(const hexcon_context *context, hexcon_mesh *told, const ca
 }
 
 static bool is_good(const candidate *c, const hexcon_mesh *mesh) {
-  double wanted = fmin(c->good_worst, near_the_bound * mesh->bound);
+  double wanted = fmin(c->with->good_worst, near_the_bound * mesh->bound);
   return mesh->certificate.certified && worst_of(mesh) >= wanted &&
-         mesh->hex_count / mesh->quad_count <= c->most_hexes;
+         (c->with->most_hexes == 0 || mesh->hex_count / mesh->quad_count <= c->with->most_hexes);
 }
 
 /** Give the best mesh's own log the account of what was tried. */
@@ -112,8 +94,8 @@ static hexcon_status try_candidate(hexcon_context *context, const surface *s,
   hexcon_mesh *made = context_allocate_zeroed(context, 1, sizeof *made);
   if (!made)
     return HEXCON_OUT_OF_MEMORY;
-  chosen.method = c->method;
-  chosen.no_core = c->no_core;
+  chosen.method = c->row->facts.method;
+  chosen.no_core = c->with->no_core;
   context_clear(context);
   hexcon_status status = fill(context, s, &chosen, made);
   if (status) {
@@ -129,6 +111,16 @@ static hexcon_status try_candidate(hexcon_context *context, const surface *s,
   *good = best->hexes && is_good(c, best);
   hexcon_mesh_free(context, made);
   return status;
+}
+
+/** @return whether there is one */
+static bool find_candidate(int turn, candidate *c) {
+  c->with = method_try_of_turn(turn, &c->row);
+  if (!c->with)
+    return false;
+  const char *core = c->row->facts.core && !c->with->no_core ? " and a core" : "";
+  (void)snprintf(c->name, sizeof c->name, "%s%s", c->row->facts.name, core);
+  return true;
 }
 
 static void explain(hexcon_mesh *told, const hexcon_mesh *best, bool good) {
@@ -148,10 +140,11 @@ hexcon_status mesh_auto(hexcon_context *context, const surface *s,
     return HEXCON_OUT_OF_MEMORY;
   hexcon_status status = HEXCON_OK;
   bool good = false;
-  for (size_t i = 0; i < CANDIDATES && !good; i++) {
-    if (options->layers > 0 && !candidates[i].has_layers)
+  candidate c;
+  for (int turn = 1; !good && find_candidate(turn, &c); turn++) {
+    if (options->layers > 0 && !c.row->facts.layers)
       continue;
-    status = try_candidate(context, s, options, fill, &candidates[i], told, mesh, &good);
+    status = try_candidate(context, s, options, fill, &c, told, mesh, &good);
     if (status && !is_about_method(status))
       break;
   }

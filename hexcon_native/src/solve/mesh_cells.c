@@ -229,13 +229,12 @@ static hexcon_status try_way(hexcon_context *context, cell_problem *p, const att
 
 /** As they lie in the mesh, from outside to inside. */
 static void note_stages(const cell_problem *p, const cell_filling *f, hexcon_mesh *mesh) {
-  char name[48];
   size_t layers = f->layers * p->s->quad_count,
          cells = p->s->quad_count / 2 * p->cells.domino->hex_count;
-  mesh_note(mesh, "hexes of layers", (double)layers);
-  mesh_note(mesh, "hexes of cells", (double)cells);
-  (void)snprintf(name, sizeof name, "hexes of %s", closure_names[f->closure]);
-  mesh_note(mesh, name, (double)(f->hex_count - layers - cells));
+  mesh_note_hexes(mesh, HEXES_OF_LAYERS, layers);
+  mesh_note_hexes(mesh, HEXES_OF_CELLS, cells);
+  mesh_note_hexes(mesh, f->closure == CLOSURE_STAR ? HEXES_OF_STAR : HEXES_OF_TETRAHEDRA,
+                  f->hex_count - layers - cells);
 }
 
 static void hand_over(const cell_problem *p, const cell_filling *f, hexcon_mesh *mesh) {
@@ -245,7 +244,6 @@ static void hand_over(const cell_problem *p, const cell_filling *f, hexcon_mesh 
   mesh->point_count = f->point_count;
   mesh->hex_count = f->hex_count;
   mesh->order = 1;
-  mesh->method = "cells";
   mesh->bound = p->bound;
   mesh_note(mesh, "pairs", (double)p->s->quad_count / 2);
   mesh_note(mesh, "layers", (double)f->layers);

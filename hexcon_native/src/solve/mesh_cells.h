@@ -9,7 +9,7 @@
 /**
  * Fill a checked surface of one component. Tries closures and thicknesses in a fixed order, logged
  * in the mesh, and keeps the best.
- * @param mesh  its points, hexes, quality and method are filled; the caller frees
+ * @param mesh  its points, hexes and quality are filled; the caller frees
  * Errors: UNFILLABLE_QUAD, NOT_STAR_SHAPED, NOT_BIPARTITE, NO_PAIRING, CANCELLED, OUT_OF_MEMORY,
  * TOO_LARGE. Cost: linear in the hexes, plus their improvement.
  */

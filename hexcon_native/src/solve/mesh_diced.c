@@ -222,7 +222,6 @@ static void hand_over(const diced_problem *p, const diced_filling *f, hexcon_mes
   mesh->point_count = f->mesh.point_count;
   mesh->hex_count = f->mesh.hex_count;
   mesh->order = 1;
-  mesh->method = "diced";
   mesh->bound = p->bound;
   mesh_note(mesh, "coarse triangles", (double)f->triangle_count);
   mesh_note(mesh, "coarse quads", (double)f->quad_count);
@@ -230,9 +229,9 @@ static void hand_over(const diced_problem *p, const diced_filling *f, hexcon_mes
   mesh_note(mesh, "pyramids", f->block == DICED_PYRAMIDS ? (double)f->quad_count : 0);
   mesh_note(mesh, "geodes", f->block == DICED_GEODES ? (double)f->quad_count : 0);
   size_t inside = 4 * f->tetrahedron_count;
-  mesh_note(mesh, f->block == DICED_GEODES ? "hexes of geodes" : "hexes of pyramids",
-            (double)(f->mesh.hex_count - inside));
-  mesh_note(mesh, "hexes of tetrahedra", (double)inside);
+  mesh_note_hexes(mesh, f->block == DICED_GEODES ? HEXES_OF_GEODES : HEXES_OF_PYRAMIDS,
+                  f->mesh.hex_count - inside);
+  mesh_note_hexes(mesh, HEXES_OF_TETRAHEDRA, inside);
   mesh_note(mesh, "hexes per quad", (double)f->mesh.hex_count / (double)p->s->quad_count);
   mesh_note(mesh, "optimisation rounds", (double)f->mesh.rounds);
   mesh_note(mesh, "surface bound", p->bound);
@@ -250,15 +249,6 @@ static hexcon_status check_found(hexcon_context *context, const diced_problem *p
                       p->options->tetrahedralise ? "a finer surface may help" : "give one");
 }
 
-/** Left to choose, another method may do better than a mesh that is not positive. */
-static hexcon_status check_positive(hexcon_context *context, const diced_problem *p,
-                                    const diced_filling *best) {
-  if (best->mesh.inverted == 0 || p->options->method != HEXCON_METHOD_AUTO)
-    return HEXCON_OK;
-  return context_fail(context, HEXCON_NOT_CERTIFIED,
-                      "%zu hexes of the diced mesh are not proved positive", best->mesh.inverted);
-}
-
 /** The best of all readings. */
 static hexcon_status fill(hexcon_context *context, diced_problem *p, const coarse_ways *ways,
                           hexcon_mesh *mesh, diced_filling *best) {
@@ -270,8 +260,6 @@ static hexcon_status fill(hexcon_context *context, diced_problem *p, const coars
   }
   if (!status)
     status = check_found(context, p, best);
-  if (!status)
-    status = check_positive(context, p, best);
   return status ? status : polish(context, p, &best->mesh);
 }
 

@@ -10,10 +10,10 @@
  * Fill a checked surface of one component, of any genus. Reads it in the ways that there are, the
  * best first; puts Geodes or pyramids of several heights on coarse quads, closes what is left by
  * one tetrahedron, a star, or the caller's tetrahedra; logs what was tried and keeps the best.
- * @param mesh  its points, hexes, quality and method are filled; the caller frees
- * Errors: NOT_DICED, UNFILLABLE_QUAD, NOT_STAR_SHAPED (nor were tetrahedra found), NOT_CERTIFIED
- * (method auto only: hexes are left that are not positive), CANCELLED, OUT_OF_MEMORY, TOO_LARGE.
- * Cost: linear in the hexes, plus their improvement.
+ * @param mesh  its points, hexes and quality are filled; the caller frees
+ * Errors: NOT_DICED, UNFILLABLE_QUAD, NOT_STAR_SHAPED (nor were tetrahedra found), CANCELLED,
+ * OUT_OF_MEMORY, TOO_LARGE. That some hexes are not positive is none. Cost: linear in the hexes,
+ * plus their improvement.
  */
 hexcon_status mesh_diced(hexcon_context *context, const surface *s,
                          const hexcon_mesh_options *options, hexcon_mesh *mesh);

@@ -30,6 +30,18 @@ void mesh_note_seconds(hexcon_mesh *mesh, const char *stage, double start) {
   mesh_note(mesh, name, mesh_clock() - start);
 }
 
+void mesh_note_hexes(hexcon_mesh *mesh, hex_stage stage, size_t hexes) {
+  char name[48];
+  (void)snprintf(name, sizeof name, "hexes of %s", hexcon_hex_stage(stage)->name);
+  mesh_note(mesh, name, (double)hexes);
+}
+
+void mesh_note_hexes_of_one(hexcon_mesh *mesh, hex_stage stage, size_t number, size_t hexes) {
+  char name[48];
+  (void)snprintf(name, sizeof name, "hexes of %s %zu", hexcon_hex_stage(stage)->name, number);
+  mesh_note(mesh, name, (double)hexes);
+}
+
 hexcon_status mesh_raise_order(hexcon_context *context, hexcon_mesh *mesh) {
   hexcon_second_order raised;
   hexcon_status status =

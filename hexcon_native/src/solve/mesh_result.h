@@ -39,6 +39,12 @@ double mesh_clock(void);
 /** Note "seconds <stage>" since `start`. */
 void mesh_note_seconds(hexcon_mesh *mesh, const char *stage, double start);
 
+/** Note "hexes of <stage>". */
+void mesh_note_hexes(hexcon_mesh *mesh, hex_stage stage, size_t hexes);
+
+/** Note "hexes of <stage> <number>": one of several stages of a kind. */
+void mesh_note_hexes_of_one(hexcon_mesh *mesh, hex_stage stage, size_t number, size_t hexes);
+
 /** Append mid-edge points and turn the hexes into those of order 2. Linear. */
 hexcon_status mesh_raise_order(hexcon_context *context, hexcon_mesh *mesh);
 

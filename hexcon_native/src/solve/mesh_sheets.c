@@ -176,7 +176,6 @@ static void hand_over(const surface *s, const effort *e, const filling *f, hexco
   mesh->point_count = f->point_count;
   mesh->hex_count = f->hex_count;
   mesh->order = 1;
-  mesh->method = "sheets";
   mesh->bound = f->bound;
   mesh_note(mesh, "sheets", (double)f->layer_count);
   mesh_note(mesh, "quads removed", (double)s->quad_count);
@@ -210,14 +209,13 @@ static void hand_over_core(const surface *s, core_mesh *m, hexcon_mesh *mesh) {
   mesh->point_count = m->mesh.point_count;
   mesh->hex_count = m->mesh.hex_count;
   mesh->order = 1;
-  mesh->method = "sheets";
   mesh->bound = m->bound;
   mesh_note(mesh, "sheets", (double)m->layer_count);
   mesh_note(mesh, "quads removed", (double)(s->quad_count - m->core_quads));
   mesh_note(mesh, "core quads", (double)m->core_quads);
   mesh_note(mesh, "core hexes", (double)m->core_hexes);
-  mesh_note(mesh, "hexes of layers", (double)(m->mesh.hex_count - m->core_hexes));
-  mesh_note(mesh, "hexes of core", (double)m->core_hexes);
+  mesh_note_hexes(mesh, HEXES_OF_LAYERS, m->mesh.hex_count - m->core_hexes);
+  mesh_note_hexes(mesh, HEXES_OF_CORE, m->core_hexes);
   mesh_note(mesh, "hexes per quad", (double)m->mesh.hex_count / (double)s->quad_count);
   mesh_note(mesh, "fillings tried", (double)m->attempt_count);
   mesh_note(mesh, "optimisation rounds", (double)m->mesh.rounds);

@@ -152,7 +152,7 @@ static hexcon_status search_rotations(hexcon_context *context, shelling *w, doub
   w->first_rotations = SIZE_MAX;
   w->failure_count = 0;
   while (!status && search.count > 0) {
-    status = context_progress(context, "rotating edges", (double)search.step / (double)most);
+    status = context_progress(context, STAGE_ROTATIONS, (double)search.step / (double)most);
     if (!status)
       status = try_promising(context, w, &search);
     bool late =
@@ -175,12 +175,11 @@ static void hand_over(const shelling *w, hexcon_mesh *mesh) {
   mesh->point_count = f->point_count;
   mesh->hex_count = f->hex_count;
   mesh->order = 1;
-  mesh->method = "shelling";
   mesh->bound = w->bound;
   mesh_note(mesh, "rotations", (double)w->rotations);
   mesh_note(mesh, "shells", (double)w->shells);
-  mesh_note(mesh, "hexes of shells", (double)f->outer_hexes);
-  mesh_note(mesh, "hexes of sheets inside", (double)(f->hex_count - f->outer_hexes));
+  mesh_note_hexes(mesh, HEXES_OF_SHELLS, f->outer_hexes);
+  mesh_note_hexes(mesh, HEXES_OF_SHEETS_INSIDE, f->hex_count - f->outer_hexes);
   mesh_note(mesh, "hexes per quad", (double)f->hex_count / (double)w->s->quad_count);
   mesh_note(mesh, "optimisation rounds", (double)f->rounds);
   mesh_note(mesh, "surface bound", w->bound);

@@ -188,7 +188,6 @@ static void hand_over(const surface *s, small_mesh *m, hexcon_mesh *mesh) {
   mesh->point_count = m->point_count;
   mesh->hex_count = m->hex_count;
   mesh->order = 1;
-  mesh->method = "smallest";
   mesh->bound = surface_bound(s);
   mesh_note(mesh, "hexes per quad", (double)m->hex_count / (double)s->quad_count);
   *m = (small_mesh){0};

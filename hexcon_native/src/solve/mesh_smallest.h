@@ -30,7 +30,7 @@ void small_mesh_free(hexcon_context *context, small_mesh *m);
 
 /**
  * Fill a checked surface of one component.
- * @param mesh  its points, hexes and method are filled; the caller frees
+ * @param mesh  its points and hexes are filled; the caller frees
  * Errors: those of small_mesh_build.
  */
 hexcon_status mesh_smallest(hexcon_context *context, const surface *s,

@@ -5,34 +5,53 @@
 
 #include "embedding/embedding.h"
 #include "mesh_auto.h"
-#include "mesh_cells.h"
-#include "mesh_diced.h"
 #include "mesh_result.h"
-#include "mesh_sheets.h"
-#include "mesh_shelling.h"
-#include "mesh_smallest.h"
-#include "mesh_swept.h"
-#include "mesh_topological.h"
+#include "methods.h"
 #include "surface/odd_cycles.h"
 #include "surface/shells.h"
 #include "verify/certificate.h"
 #include "verify/scaled_jacobian.h"
 
+/** `auto` is no method to turn to: it hands every option on. */
+static bool takes_layers(const hexcon_method_facts *facts) {
+  return facts->layers && facts->method != HEXCON_METHOD_AUTO;
+}
+
+static bool takes_core(const hexcon_method_facts *facts) {
+  return facts->core;
+}
+
+static bool takes_pairing(const hexcon_method_facts *facts) {
+  return facts->pairing;
+}
+
+static bool fills_cavities(const hexcon_method_facts *facts) {
+  return facts->cavities && !facts->topological && facts->method != HEXCON_METHOD_AUTO;
+}
+
+/** An option that only some methods take was given to another one. */
+static hexcon_status refuse_option(hexcon_context *context, const char *option,
+                                   method_predicate takes_it) {
+  char methods[METHOD_LIST];
+  method_list(takes_it, methods);
+  return context_fail(context, HEXCON_BAD_ARGUMENT, "%s: only for method %s", option, methods);
+}
+
 static hexcon_status check_pairing_options(hexcon_context *context,
-                                           const hexcon_mesh_options *options) {
+                                           const hexcon_mesh_options *options, bool takes) {
   if ((int)options->pairing < 0 || options->pairing >= HEXCON_PAIRING_COUNT)
     return context_fail(context, HEXCON_BAD_ARGUMENT, "there is no pairing number %d",
                         (int)options->pairing);
   if (options->pairing == HEXCON_PAIRING_GIVEN && options->pair_count > 0 && !options->pairs)
     return context_fail(context, HEXCON_BAD_ARGUMENT, "the given pairs are missing");
-  if (options->pairing != HEXCON_PAIRING_ALL && !method_is_topological(options->method))
-    return context_fail(context, HEXCON_BAD_ARGUMENT,
-                        "a pairing is for the topological methods: pyramid, geode and their like");
+  if (options->pairing != HEXCON_PAIRING_ALL && !takes)
+    return refuse_option(context, "a pairing", takes_pairing);
   return HEXCON_OK;
 }
 
 static hexcon_status check_options(hexcon_context *context, const hexcon_mesh_options *options) {
-  if ((int)options->method < 0 || options->method >= HEXCON_METHOD_COUNT)
+  const method_row *method = method_find(options->method);
+  if (!method)
     return context_fail(context, HEXCON_BAD_ARGUMENT, "there is no method number %d",
                         (int)options->method);
   if (options->order < 0 || options->order > 2)
@@ -42,14 +61,14 @@ static hexcon_status check_options(hexcon_context *context, const hexcon_mesh_op
     return context_fail(context, HEXCON_BAD_ARGUMENT,
                         "layers %d and threads %d must not be negative", options->layers,
                         options->threads);
-  if (options->layers > 0 && options->method != HEXCON_METHOD_AUTO &&
-      options->method != HEXCON_METHOD_CELLS)
-    return context_fail(context, HEXCON_BAD_ARGUMENT,
-                        "only cells have boundary layers: choose method cells");
+  if (options->layers > 0 && !method->facts.layers)
+    return refuse_option(context, "boundary layers", takes_layers);
+  if (options->no_core && !method->facts.core)
+    return refuse_option(context, "to refuse a core", takes_core);
   if (!(options->budget >= 0))
     return context_fail(context, HEXCON_BAD_ARGUMENT,
                         "the time budget must be a number of seconds, not below zero");
-  return check_pairing_options(context, options);
+  return check_pairing_options(context, options, method->facts.pairing);
 }
 
 /* --------------------------------------------------------------------------- what can be filled */
@@ -124,12 +143,12 @@ static hexcon_status refuse_odd_cycles(hexcon_context *context, const odd_cycles
                       found->path_count, found->point_count);
 }
 
-/** four-split fills no body: it lays layers, under which any boundary can be left. */
+/** A method that fills no body may lay layers, under which any boundary can be left. */
 static hexcon_status check_odd_cycles(hexcon_context *context, const surface *s,
                                       const hexcon_mesh_options *options,
                                       hexcon_fillable *fillable) {
   odd_cycles found;
-  if (options->method == HEXCON_METHOD_FOUR_SPLIT)
+  if (method_find(options->method)->facts.odd_paths)
     return HEXCON_OK;
   hexcon_status status = odd_cycles_find(context, s, &found);
   *fillable = found.fillable;
@@ -161,7 +180,7 @@ static bool only_folds(const hexcon_embedding *found) {
 static hexcon_status check_embedding(hexcon_context *context, const surface *s,
                                      const hexcon_mesh_options *options) {
   hexcon_embedding found;
-  if (options->allow_topological && method_is_topological(options->method))
+  if (options->allow_topological && method_find(options->method)->facts.topological)
     return HEXCON_OK;
   hexcon_status status =
       embedding_prove(context, s->points, s->point_count, s->quads, s->quad_count, &found);
@@ -182,20 +201,16 @@ static hexcon_status check_fillable(hexcon_context *context, const surface *s,
   return status ? status : check_odd_cycles(context, s, options, fillable);
 }
 
-static bool deals_with_cavities(hexcon_method method) {
-  return method == HEXCON_METHOD_DICED || method == HEXCON_METHOD_CELLS ||
-         method_is_topological(method);
-}
-
 static hexcon_status check_cavities(hexcon_context *context, const surface *s,
-                                    hexcon_method method) {
-  if (s->cavity_count == 0 || deals_with_cavities(method))
+                                    const hexcon_method_facts *method) {
+  if (s->cavity_count == 0 || method->cavities)
     return HEXCON_OK;
-  return context_fail(
-      context, HEXCON_NOT_A_BALL,
-      "the body has cavities, %zu in number: this method fills bodies without any; diced and "
-      "cells may do",
-      s->cavity_count);
+  char others[METHOD_LIST];
+  method_list(fills_cavities, others);
+  return context_fail(context, HEXCON_NOT_A_BALL,
+                      "the body has cavities, %zu in number: method %s fills bodies without any; "
+                      "others may do: %s",
+                      s->cavity_count, method->name, others);
 }
 
 /* -------------------------------------------------------------------------------------- filling */
@@ -237,23 +252,11 @@ static hexcon_status judge(hexcon_context *context, const hexcon_mesh_options *o
 
 static hexcon_status construct(hexcon_context *context, const surface *s,
                                const hexcon_mesh_options *options, hexcon_mesh *mesh) {
-  mesh->topological = method_is_topological(options->method);
-  hexcon_status status = check_cavities(context, s, options->method);
-  if (status)
-    return status;
-  if (mesh->topological)
-    return mesh_topological(context, s, options, mesh);
-  if (options->method == HEXCON_METHOD_SWEPT)
-    return mesh_swept(context, s, mesh);
-  if (options->method == HEXCON_METHOD_SHEETS)
-    return mesh_sheets(context, s, options, mesh);
-  if (options->method == HEXCON_METHOD_DICED)
-    return mesh_diced(context, s, options, mesh);
-  if (options->method == HEXCON_METHOD_SMALLEST)
-    return mesh_smallest(context, s, options, mesh);
-  if (options->method == HEXCON_METHOD_SHELLING)
-    return mesh_shelling(context, s, options, mesh);
-  return mesh_cells(context, s, options, mesh);
+  const method_row *method = method_find(options->method);
+  mesh->method = method->facts.name;
+  mesh->topological = method->facts.topological;
+  hexcon_status status = check_cavities(context, s, &method->facts);
+  return status ? status : method->fill(context, s, options, mesh);
 }
 
 /** Topological methods do not look at the quality on their way. */

@@ -161,7 +161,6 @@ static void hand_over(const filling *f, hexcon_mesh *mesh) {
   mesh->point_count = f->point_count;
   mesh->hex_count = f->hex_count;
   mesh->order = 1;
-  mesh->method = "swept";
   mesh_note(mesh, "cap quads", (double)f->cap_quad_count);
   mesh_note(mesh, "rings", (double)f->rings);
   mesh_note(mesh, "optimisation rounds", (double)f->rounds);
@@ -169,7 +168,9 @@ static void hand_over(const filling *f, hexcon_mesh *mesh) {
   mesh->bound = f->bound;
 }
 
-hexcon_status mesh_swept(hexcon_context *context, const surface *s, hexcon_mesh *mesh) {
+hexcon_status mesh_swept(hexcon_context *context, const surface *s,
+                         const hexcon_mesh_options *options, hexcon_mesh *mesh) {
+  (void)options;
   sweep_choice choice;
   filling best = {0};
   size_t tried = 0;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
 #include "mesh_topological.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #include "construct/paired_transition.h"
@@ -13,7 +12,6 @@
 
 /** How each method goes on from the surface. */
 typedef struct recipe {
-  const char *name;
   hexcon_status (*close)(hexcon_context *context, const split_front *front,
                          const hexcon_mesh_options *options, nested_mesh *mesh, size_t *tetrahedra);
   hexcon_method method;
@@ -22,13 +20,12 @@ typedef struct recipe {
 } recipe;
 
 static const recipe recipes[] = {
-    {"four-split", NULL, HEXCON_METHOD_FOUR_SPLIT, SPLIT_ORIGINAL, false},
-    {"pyramid", nested_mesh_close_by_pyramids, HEXCON_METHOD_PYRAMID, SPLIT_ORIGINAL, false},
-    {"pyramid-alt", nested_mesh_close_by_pyramids, HEXCON_METHOD_PYRAMID_ALT, SPLIT_ALTERNATIVE,
-     false},
-    {"geode", nested_mesh_close_by_geodes, HEXCON_METHOD_GEODE, SPLIT_ORIGINAL, false},
-    {"geode-alt", nested_mesh_close_by_geodes, HEXCON_METHOD_GEODE_ALT, SPLIT_ALTERNATIVE, false},
-    {"pillowed", nested_mesh_close_by_geodes, HEXCON_METHOD_PILLOWED, SPLIT_ALTERNATIVE, true},
+    {NULL, HEXCON_METHOD_FOUR_SPLIT, SPLIT_ORIGINAL, false},
+    {nested_mesh_close_by_pyramids, HEXCON_METHOD_PYRAMID, SPLIT_ORIGINAL, false},
+    {nested_mesh_close_by_pyramids, HEXCON_METHOD_PYRAMID_ALT, SPLIT_ALTERNATIVE, false},
+    {nested_mesh_close_by_geodes, HEXCON_METHOD_GEODE, SPLIT_ORIGINAL, false},
+    {nested_mesh_close_by_geodes, HEXCON_METHOD_GEODE_ALT, SPLIT_ALTERNATIVE, false},
+    {nested_mesh_close_by_geodes, HEXCON_METHOD_PILLOWED, SPLIT_ALTERNATIVE, true},
 };
 
 static const recipe *find_recipe(hexcon_method method) {
@@ -36,10 +33,6 @@ static const recipe *find_recipe(hexcon_method method) {
     if (recipes[i].method == method)
       return &recipes[i];
   return NULL;
-}
-
-bool method_is_topological(hexcon_method method) {
-  return find_recipe(method) != NULL;
 }
 
 /* ------------------------------------------------------------------------------------------
@@ -97,7 +90,7 @@ static hexcon_status pair(hexcon_context *context, const surface *s,
     mesh_note(mesh, "pairs", (double)out->pair_count);
     status = nested_mesh_pair(context, s, out->partner, nested, &out->made);
   }
-  mesh_note(mesh, "hexes of paired transition", (double)nested->grown.hex_count);
+  mesh_note_hexes(mesh, HEXES_OF_PAIRED_TRANSITION, nested->grown.hex_count);
   mesh_note_seconds(mesh, "paired transition", start);
   return status;
 }
@@ -110,18 +103,15 @@ enum { LAYERS_TOLD = 9 };
 
 static void note_layers(hexcon_mesh *mesh, const size_t *added, size_t count) {
   mesh_note(mesh, "split layers", (double)count);
-  double rest = 0;
+  size_t rest = 0;
   for (size_t layer = 0; layer < count; layer++) {
-    char name[48];
-    if (layer + 1 < LAYERS_TOLD || count == LAYERS_TOLD) {
-      (void)snprintf(name, sizeof name, "hexes of split layer %zu", layer + 1);
-      mesh_note(mesh, name, (double)added[layer]);
-    } else {
-      rest += (double)added[layer];
-    }
+    if (layer + 1 < LAYERS_TOLD || count == LAYERS_TOLD)
+      mesh_note_hexes_of_one(mesh, HEXES_OF_SPLIT_LAYER, layer + 1, added[layer]);
+    else
+      rest += added[layer];
   }
   if (rest > 0)
-    mesh_note(mesh, "hexes of further split layers", rest);
+    mesh_note_hexes(mesh, HEXES_OF_FURTHER_LAYERS, rest);
 }
 
 static hexcon_status split_along(hexcon_context *context, split_front *front, split_kind kind,
@@ -185,18 +175,17 @@ static hexcon_status close(hexcon_context *context, const recipe *r, const split
                                   : append_front(context, front, mesh);
   mesh_note(mesh, "four-split quads", (double)front->s->quad_count);
   mesh_note(mesh, "tetrahedra", (double)tetrahedra);
-  mesh_note(mesh, "hexes of closure", (double)(nested->grown.hex_count - before));
+  mesh_note_hexes(mesh, HEXES_OF_CLOSURE, nested->grown.hex_count - before);
   mesh_note_seconds(mesh, "closure", start);
   return status;
 }
 
-static void hand_over(const recipe *r, nested_mesh *nested, hexcon_mesh *mesh) {
+static void hand_over(nested_mesh *nested, hexcon_mesh *mesh) {
   mesh->points = nested->points;
   mesh->hexes = nested->grown.hexes;
   mesh->point_count = nested->grown.point_count;
   mesh->hex_count = nested->grown.hex_count;
   mesh->order = 1;
-  mesh->method = r->name;
   nested->points = NULL;
   nested->grown.hexes = NULL;
 }
@@ -205,7 +194,7 @@ static hexcon_status pillow(hexcon_context *context, nested_mesh *nested, hexcon
   double start = mesh_clock();
   size_t before = nested->grown.hex_count;
   hexcon_status status = nested_mesh_pillow(context, nested);
-  mesh_note(mesh, "hexes of pillows", (double)(nested->grown.hex_count - before));
+  mesh_note_hexes(mesh, HEXES_OF_PILLOWS, nested->grown.hex_count - before);
   mesh_note_seconds(mesh, "pillows", start);
   return status;
 }
@@ -262,7 +251,7 @@ static hexcon_status check_distinct(hexcon_context *context, const surface *s) {
 /** A star of tetrahedra, or of pyramids, closes balls only; tetrahedra of a mesher close anything.
  */
 static hexcon_status check_closable(hexcon_context *context, const surface *s, const recipe *r,
-                                    const hexcon_mesh_options *options) {
+                                    const hexcon_mesh_options *options, const char *method) {
   bool ball = surface_is_sphere(s);
   bool by_geodes = r->close == nested_mesh_close_by_geodes;
   if (!r->close || ball || (by_geodes && options->tetrahedralise))
@@ -271,7 +260,7 @@ static hexcon_status check_closable(hexcon_context *context, const surface *s, c
                       "method %s fills bodies without holes and cavities only%s; this surface has "
                       "genus %zu and %zu parts: method four-split builds the layers under it, and "
                       "Geodes close it where a mesher of tetrahedra is given",
-                      r->name, by_geodes ? " unless a mesher of tetrahedra is given" : "",
+                      method, by_geodes ? " unless a mesher of tetrahedra is given" : "",
                       (2 * s->component_count + s->quad_count - s->point_count) / 2,
                       s->component_count);
 }
@@ -326,7 +315,7 @@ hexcon_status mesh_topological(hexcon_context *context, const surface *s,
   paired_surface paired = {0};
   hexcon_status status = check_distinct(context, s);
   if (!status)
-    status = check_closable(context, s, r, options);
+    status = check_closable(context, s, r, options, mesh->method);
   if (!status)
     status = nested_mesh_new(context, s, &nested);
   if (!status)
@@ -340,7 +329,7 @@ hexcon_status mesh_topological(hexcon_context *context, const surface *s,
                    "should take it");
     if (!nested.star_shaped)
       mesh_log(mesh, "no point inside sees the whole surface: hexes may overlap");
-    hand_over(r, &nested, mesh);
+    hand_over(&nested, mesh);
   }
   nested_mesh_free(context, &nested);
   return status;

@@ -6,13 +6,10 @@
 #include "mesh_result.h"
 #include "surface/half_edges.h"
 
-/** Whether a method's meshes are topological. */
-bool method_is_topological(hexcon_method method);
-
 /**
  * Fill a checked surface. Points lie in layers nested about the star centre, or, where there is
  * none, between the surface and a copy inside it; then hexes may overlap.
- * @param mesh  its points, hexes and method are filled, stage by stage from outside; quality is
+ * @param mesh  its points and hexes are filled, stage by stage from outside; quality is
  *              not. four-split: the front's quads are appended to its quads. The caller frees
  * Errors: UNFILLABLE_QUAD (two quads in all), NO_PAIRING, BAD_PAIRING, SELF_CROSSING, NO_SIDES,
  * NOT_A_BALL, CANCELLED, OUT_OF_MEMORY, TOO_LARGE. Cost: linear in the hexes, after the pairing.

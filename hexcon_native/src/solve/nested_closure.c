@@ -68,7 +68,7 @@ static hexcon_status add_templates(hexcon_context *context, const split_closure 
   for (size_t q = 0; !status && q < quads; q++) {
     add_template(c, places, q, ids, mesh);
     if (q % 65536 == 0)
-      status = context_progress(context, "closure", (double)q / (double)quads);
+      status = context_progress(context, STAGE_CLOSURE, (double)q / (double)quads);
   }
   context_free(context, places);
   context_free(context, ids);
@@ -221,7 +221,7 @@ static hexcon_status close_geodes(hexcon_context *context, const split_closure *
   closure inside = {0};
   hexcon_status status = inner_triangles_new(context, c->front->s->quad_count, &t);
   if (!status)
-    status = context_progress(context, "tetrahedra", 0);
+    status = context_progress(context, STAGE_TETRAHEDRA, 0);
   if (!status)
     status = list_triangles(context, c, &t);
   if (!status)

@@ -156,7 +156,7 @@ hexcon_status nested_mesh_split(hexcon_context *context, split_front *front, spl
   double share = 1 - pow(left_by_layers[kind], 1 / (double)family_count);
   for (size_t family = 0; !status && family < family_count; family++) {
     size_t before = mesh->grown.hex_count;
-    status = context_progress(context, "split layers", (double)family / (double)family_count);
+    status = context_progress(context, STAGE_SPLIT_LAYERS, (double)family / (double)family_count);
     mark_crossed(front->s, loops, family_of_loop, (int32_t)family, crossed);
     if (!status)
       status = add_layer(context, front, kind, crossed, sides, share, mesh);

@@ -148,7 +148,7 @@ static hexcon_status find_candidates(hexcon_context *context, rotation_search *s
     search->candidate_room = most;
   }
   hexcon_status status =
-      workers_run(context, search->threads, search->count, "rotating edges", weigh_surface, search);
+      workers_run(context, search->threads, search->count, STAGE_ROTATIONS, weigh_surface, search);
   search->candidate_count = 0;
   for (size_t i = 0; !status && i < search->count; i++) {
     memmove(search->candidates + search->candidate_count, search->candidates + i * sides,
@@ -242,7 +242,7 @@ hexcon_status rotation_search_advance(hexcon_context *context, rotation_search *
   qsort(search->candidates, search->candidate_count, sizeof *search->candidates, compare);
   status = make_next(context, search, &count);
   if (!status)
-    status = workers_run(context, search->threads, count, "taking loops away", find_core, search);
+    status = workers_run(context, search->threads, count, STAGE_LOOPS, find_core, search);
   if (status)
     return status;
   qsort(search->next, count, sizeof *search->next, compare_surfaces);

@@ -159,8 +159,8 @@ hexcon_status sheet_search_run(hexcon_context *context, const surface *s, const 
   bool found = true;
   size_t spent = 0;
   while (!status && found && !front_is_hex(&out->front) && spent <= limit) {
-    status = context_progress(context, "taking loops away",
-                              1 - (double)out->best_alive / (double)s->quad_count);
+    status =
+        context_progress(context, STAGE_LOOPS, 1 - (double)out->best_alive / (double)s->quad_count);
     if (!status)
       status = push_level(context, out, taste);
     if (!status)

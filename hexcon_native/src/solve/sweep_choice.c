@@ -220,7 +220,7 @@ static hexcon_status try_strips(hexcon_context *context, const surface *s, const
     if (covered[order[i].seed.strip] || !isfinite(order[i].score))
       continue;
     hexcon_status status =
-        context_progress(context, "sweep recognition", (double)visits / (double)budget);
+        context_progress(context, STAGE_SWEEP_RECOGNITION, (double)visits / (double)budget);
     if (!status)
       status = reflection_try(context, s, &choice->loops, &choice->strips, order[i].seed,
                               &choice->reflected);

@@ -280,7 +280,7 @@ static hexcon_status fill_matrix(hexcon_context *context, sight *w, bit_matrix *
   hexcon_status status = HEXCON_OK;
   memset(out->rows, 0, out->count * out->words * sizeof *out->rows);
   for (size_t i = 0; i < out->count && !w->blurred && !status; i++) {
-    status = context_progress(context, "linking numbers", (double)i / (double)out->count);
+    status = context_progress(context, STAGE_LINKING_NUMBERS, (double)i / (double)out->count);
     for (size_t j = 0; j < out->count && !w->blurred; j++)
       bit_matrix_add(out, i, j, link(w, i, j));
   }

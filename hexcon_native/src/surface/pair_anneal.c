@@ -102,7 +102,8 @@ static hexcon_status tell(pair_rewiring *r, const pair_schedule *schedule, int s
   if (r->work - r->told < WORK_PATIENCE)
     return HEXCON_OK;
   r->told = r->work;
-  return context_progress(r->context, "pairing", schedule->done + schedule->share * step / STEPS);
+  return context_progress(r->context, STAGE_PAIRING,
+                          schedule->done + schedule->share * step / STEPS);
 }
 
 static hexcon_status run_step(pair_rewiring *r, const pair_schedule *schedule, int step,

@@ -41,7 +41,7 @@ static inline hexcon_status pair_count_work(pair_state *p, size_t work, double f
   if (p->work < PAIR_PATIENCE)
     return HEXCON_OK;
   p->work = 0;
-  return context_progress(p->context, "pairing", fraction);
+  return context_progress(p->context, STAGE_PAIRING, fraction);
 }
 
 #endif

@@ -31,7 +31,7 @@ hexcon_status surface_pair(hexcon_context *context, const surface *s, const doub
                         s->quad_count);
   for (size_t q = 0; q < s->quad_count; q++)
     half_edge_of_quad[q] = PAIR_FREE;
-  hexcon_status status = context_progress(context, "pairing", 0);
+  hexcon_status status = context_progress(context, STAGE_PAIRING, 0);
   if (!status)
     status = pair_greedily(&p);
   if (!status)

@@ -46,7 +46,7 @@ static hexcon_status check_jacobians(hexcon_context *context, const double *poin
       status = add_suspect(context, &list, (int32_t)h, witness);
     certificate->undecided_count += sign == JACOBIAN_UNDECIDED;
     if (!status && h % 65536 == 0)
-      status = context_progress(context, "certificate: Jacobians", (double)h / (double)hex_count);
+      status = context_progress(context, STAGE_JACOBIANS, (double)h / (double)hex_count);
   }
   certificate->nonpositive = list.hexes.ids;
   certificate->nonpositive_count = list.hexes.count;

@@ -34,7 +34,7 @@ static hexcon_status visit_points(hexcon_context *context, const int32_t *hexes,
     manifold_enter(&t->links, &t->star);
     status = proper_check(context, &t->star, &t->improper);
     if (!status && v % 65536 == 0)
-      status = context_progress(context, "certificate: links", (double)v / (double)point_count);
+      status = context_progress(context, STAGE_LINKS, (double)v / (double)point_count);
   }
   return status;
 }
@@ -59,7 +59,7 @@ hexcon_status topology_check(hexcon_context *context, const int32_t *hexes, size
   if (!status)
     status = visit_points(context, hexes, point_count, &t);
   if (!status)
-    status = context_progress(context, "certificate: pairs", 0);
+    status = context_progress(context, STAGE_PAIRS, 0);
   if (!status)
     status = proper_find_doublets(context, hex_count, &t.faces, &t.doublets);
   if (!status)

@@ -7,10 +7,20 @@ import hexcon_native
 
 from ..examples import example_names
 from ..files.surfaces import SURFACE_ENDINGS
-from ..quads import METHODS as SURFACE_METHODS
+from ..quads import METHOD_TABLE as SURFACE_METHOD_TABLE
 from . import commands, examples
 
-PAIRINGS = ("all", "fewest", "none")
+PAIRINGS = tuple(hexcon_native.PAIRINGS)
+LAYERS_HELP = (f"at least K layers of plain hexes under the surface, for methods "
+               f"{', '.join(hexcon_native.methods_that(lambda method: method.layers))}")
+PAIRING_HELP = "topological methods: pair all quads, as few as will do, or none (default all)"
+
+
+def methods_help(table):
+    """What the methods of a table are for, for the help of an option."""
+    return "; ".join(f"{name}: {row.purpose}" for name, row in table.items()).replace("%", "%%")
+
+
 _EXIT = ("exit status: 0 done; 1 a fault, its words on standard error; 2 wrong usage; 3 check: not "
          "certified; 130 interrupted")
 
@@ -41,21 +51,19 @@ def _face_value(text):
 def _add_meshing(command):
     command.add_argument("--size", type=float, metavar="H",
                          help="wanted edge length in mm; needed for solids")
-    command.add_argument("--surface-method", choices=SURFACE_METHODS, default="auto",
-                         help="how a solid's surface is meshed with quads; auto: sweep, "
-                              "blocks, subdivided-triangles, the first that can be")
+    command.add_argument("--surface-method", choices=list(SURFACE_METHOD_TABLE), default="auto",
+                         help=f"how a solid's surface is meshed with quads. {methods_help(SURFACE_METHOD_TABLE)}")
     _add_filling(command)
 
 
 def _add_filling(command, method="auto"):
     """Options of what is filled; method: the default."""
     command.add_argument("--method", choices=list(hexcon_native.METHODS), default=method,
-                         help="how the surface is filled with hexes")
+                         help=f"how the surface is filled with hexes. {methods_help(hexcon_native.METHOD_TABLE)}")
     command.add_argument("--layers", type=int, default=0, metavar="K",
-                         help="cells: at least K layers of plain hexes under the surface")
+                         help=LAYERS_HELP)
     command.add_argument("--pairing", choices=PAIRINGS, default=PAIRINGS[0],
-                         help="topological methods: pair all quads, as few as will do, or "
-                              "none (default all)")
+                         help=PAIRING_HELP)
     command.add_argument("--order", type=int, choices=(1, 2), default=1,
                          help="2: mid-edge nodes (C3D20)")
     command.add_argument("--allow-uncertified", action="store_true",

@@ -1,38 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The widgets that say how a quad surface is filled: method, layers, order, time budget."""
 import FreeCAD
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from hexcon.errors import FaultCode, ToolError
-from hexcon_native import METHODS, TOPOLOGICAL_METHODS
+from hexcon.quads import METHOD_TABLE as SURFACE_METHOD_TABLE
+from hexcon_native import METHOD_TABLE
 
 from . import words
 
 translate = FreeCAD.Qt.translate
-QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
-METHOD_WORDS = {
-    "auto": QT_TRANSLATE_NOOP("HexCon", "automatic"),
-    "swept": QT_TRANSLATE_NOOP("HexCon", "swept"),
-    "cells": QT_TRANSLATE_NOOP("HexCon", "cells"),
-    "sheets": QT_TRANSLATE_NOOP("HexCon", "sheets"),
-    "diced": QT_TRANSLATE_NOOP("HexCon", "diced"),
-    "four-split": QT_TRANSLATE_NOOP("HexCon", "four-split"),
-    "pyramid": QT_TRANSLATE_NOOP("HexCon", "pyramid"),
-    "pyramid-alt": QT_TRANSLATE_NOOP("HexCon", "pyramid, alternative"),
-    "geode": QT_TRANSLATE_NOOP("HexCon", "geode"),
-    "geode-alt": QT_TRANSLATE_NOOP("HexCon", "geode, alternative"),
-    "pillowed": QT_TRANSLATE_NOOP("HexCon", "pillowed"),
-    "smallest": QT_TRANSLATE_NOOP("HexCon", "smallest"),
-    "shelling": QT_TRANSLATE_NOOP("HexCon", "shelling"),
-}
-LAYERED_METHODS = ("auto", "cells")
 MOST_LAYERS = 10
 LONGEST_BUDGET = 86400  # seconds
-CELL_HEXES = 45  # hexes a quad in cells and the tetrahedra below them, without layers: for a guess
-DICED_HEXES = 10  # the same of diced subdivided quads: of subdivided triangles it is 3
-# The same of the topological methods that always make as many.
-TOPOLOGICAL_HEXES = {"pyramid": 76, "pyramid-alt": 58, "geode": 130, "geode-alt": 112}
 
 
 def narrow_box(name):
@@ -52,6 +32,19 @@ def choice_of(name, choices, said):
     return box
 
 
+def choice_of_methods(name, rows):
+    """A narrow box with methods of a table, hexcon_native's or hexcon.quads'; each tells what it is for."""
+    box = choice_of(name, [row.name for row in rows], {row.name: row.label for row in rows})
+    for place, row in enumerate(rows):
+        box.setItemData(place, sentence(translate("HexCon", row.purpose)), QtCore.Qt.ToolTipRole)
+    return box
+
+
+def sentence(purpose):
+    """A purpose as a sentence."""
+    return purpose[:1].upper() + purpose[1:] + "."
+
+
 def choose(box, data):
     """Select the choice with this data; an unknown one leaves the box as it is."""
     row = box.findData(data)
@@ -61,10 +54,9 @@ def choose(box, data):
 
 def _choice_of_method():
     """The methods whose meshes can be solved, then those of topology only, marked as such."""
-    box = choice_of("method", sorted(METHODS, key=lambda method: method in TOPOLOGICAL_METHODS),
-                    METHOD_WORDS)
+    box = choice_of_methods("method", list(METHOD_TABLE.values()))
     for row in range(box.count()):
-        if box.itemData(row) in TOPOLOGICAL_METHODS:
+        if METHOD_TABLE[box.itemData(row)].topological:
             box.setItemText(row, translate("HexCon", "{method} (topology only)").format(
                 method=box.itemText(row)))
     box.view().setMinimumWidth(box.view().sizeHintForColumn(0))  # the list may be wider than the box
@@ -78,9 +70,8 @@ class Filling:
         self.on_change = on_change
         self.method = _choice_of_method()
         self.method.setToolTip(translate(
-            "HexCon", "How the surface is filled with hexes: swept from cap to cap, or cells, which "
-            "fill any body with many more hexes; automatic sweeps where it "
-            "can. Topology only: to look at; no solver must be given such a mesh"))
+            "HexCon", "How the surface is filled with hexes; the list says what each method is for. "
+            "Topology only: to look at; no solver must be given such a mesh"))
         self.order = choice_of("order", words.ORDERS, words.ORDERS)
         self._make_numbers()
         self.allow_topological = QtGui.QCheckBox(translate(
@@ -97,8 +88,8 @@ class Filling:
         self.layers.setObjectName("layers")
         self.layers.setRange(0, MOST_LAYERS)
         self.layers.setToolTip(translate(
-            "HexCon", "At least so many layers of plain hexes under the surface; a swept mesh has "
-            "none, so that automatic then takes cells"))
+            "HexCon", "At least so many layers of plain hexes under the surface; automatic then tries "
+            "only methods that lay them"))
         self.layers.valueChanged.connect(lambda _: self.on_change())
         self.budget = QtGui.QSpinBox()
         self.budget.setObjectName("budget")
@@ -118,19 +109,23 @@ class Filling:
 
     def follow_method(self, *_):
         """Show what matters for the method."""
-        method = self.method.currentData()
-        self.layers.setEnabled(method in LAYERED_METHODS)
-        topological = method in TOPOLOGICAL_METHODS
+        method = self.chosen()
+        self.layers.setEnabled(method.layers)
+        topological = method.topological
         self.allow_topological.setVisible(topological)
         if not topological:  # what nobody sees is not ticked for the next time
             self.allow_topological.setChecked(False)
         self.on_change()
 
+    def chosen(self):
+        """The hexcon_native.Method that is chosen."""
+        return METHOD_TABLE[self.method.currentData()]
+
     def settings(self):
         """dict: method, layers, order, budget, as the calls of actions.py take them."""
-        method = self.method.currentData()
-        return {"method": method,
-                "layers": self.layers.value() if method in LAYERED_METHODS else 0,
+        method = self.chosen()
+        return {"method": method.name,
+                "layers": self.layers.value() if method.layers else 0,
                 "order": self.order.currentData(), "budget": float(self.budget.value())}
 
     def show_settings(self, method, layers, order, budget, allow_topological=False):
@@ -146,7 +141,7 @@ class Filling:
 
     def refuse_topological(self):
         """Raise ToolError(TOPOLOGICAL_MESH) for a topological method without the tick."""
-        if self.method.currentData() in TOPOLOGICAL_METHODS and not self.allowed():
+        if self.chosen().topological and not self.allowed():
             raise ToolError(translate(
                 "HexCon", "this method gives topology only: some Jacobians are zero or negative, "
                 "so CalculiX must not be given its mesh. Choose method cells, or tick \"{tick}\" "
@@ -159,15 +154,15 @@ class Filling:
         if enabled:
             self.follow_method()
 
-    def hexes_a_quad(self):
-        """A guess for methods that are no sweep; None where there is none."""
-        settings = self.settings()
-        method = settings["method"]
-        if method == "diced":
-            return DICED_HEXES
-        if method in TOPOLOGICAL_METHODS:
-            return TOPOLOGICAL_HEXES.get(method)
-        return CELL_HEXES + settings["layers"]
+    def hexes_a_quad(self, surface_method=""):
+        """A guess for quads of a surface method; None where the volume tells, or nothing does."""
+        method, layers = self.chosen(), self.settings()["layers"]
+        if layers and not method.hexes_a_quad:  # automatic takes a method that lays them
+            method = next(row for row in METHOD_TABLE.values() if row.layers and row.hexes_a_quad)
+        surface = SURFACE_METHOD_TABLE.get(surface_method)
+        if surface and not layers and method.name in ("auto", surface.filled_by):
+            return surface.hexes_a_quad
+        return method.hexes_a_quad and method.hexes_a_quad + layers
 
 
 def guess(number):

@@ -57,8 +57,8 @@ class HexMeshPanel(Panel):
 
     def _estimate(self):
         """How many hexes to expect, where that depends on the quads alone."""
-        a_quad = self.filling.hexes_a_quad()
-        if self.filling.settings()["method"] in ("auto", "swept", "sheets", "smallest") or not a_quad:
+        a_quad = self.filling.hexes_a_quad(self.surface.MethodUsed)
+        if not a_quad:
             self.expected.clear()
             return
         self.expected.setText(translate("HexCon", "about {count} hexes").format(

@@ -41,6 +41,7 @@ class MeshPanel(Panel):
         rows.addRow(translate("HexCon", "Solid"), QtGui.QLabel(self.about().Label))
         self.size = size_box(default_size(self._shape), self._estimate)
         self.expected = QtGui.QLabel()
+        self.expected.setObjectName("expected")
         self.expected.setWordWrap(True)
         self.surface_method = method_box()
         choose(self.surface_method, preferences.value("SurfaceMethod"))
@@ -63,19 +64,17 @@ class MeshPanel(Panel):
 
     def _estimate(self, *_):
         settings = self._settings()
-        size, method = settings["size"], settings["method"]
-        hexes_a_quad = self.filling.hexes_a_quad()
-        if size <= 0.0 or hexes_a_quad is None:
+        size = settings["size"]
+        if size <= 0.0:
             self.expected.clear()
             return
-        swept = guess(self._shape.Volume / size ** 3)
-        cells = guess(self._shape.Area / size ** 2 * hexes_a_quad)
-        if method == "auto" and not settings["layers"]:
-            text = translate("HexCon", "about {swept} hexes swept, {cells} in cells")
-        else:  # layers are asked of cells only
-            text = translate("HexCon", "about {count} hexes")
-        self.expected.setText(text.format(swept=swept, cells=cells,
-                                          count=swept if method == "swept" else cells))
+        hexes_a_quad = self.filling.hexes_a_quad(settings["surface_method"])
+        natural = guess(self._shape.Volume / size ** 3)
+        by_quads = guess(self._shape.Area / size ** 2 * hexes_a_quad) if hexes_a_quad else natural
+        open_choice = settings["method"] == settings["surface_method"] == "auto" and not settings["layers"]
+        text = (translate("HexCon", "about {natural} hexes in sweeps and blocks, {count} otherwise") if open_choice
+                else translate("HexCon", "about {count} hexes"))
+        self.expected.setText(text.format(natural=natural, count=by_quads))
 
     def on_mesh(self):
         self._used = self._settings()

@@ -6,10 +6,10 @@ import FreeCAD
 from PySide import QtGui
 
 from hexcon import preferences
-from hexcon.quads import METHODS as SURFACE_METHODS
-from hexcon_native import METHODS, TOPOLOGICAL_METHODS
+from hexcon.quads import METHOD_TABLE as SURFACE_METHOD_TABLE
+from hexcon_native import METHOD_TABLE
 
-from . import filling, sizing, words
+from . import filling, words
 from .setup_check import check_setup
 
 translate = FreeCAD.Qt.translate
@@ -54,13 +54,13 @@ def _group(title, layout):
 
 
 def _fields():
-    solved = [method for method in METHODS if method not in TOPOLOGICAL_METHODS]
+    solved = [method for method in METHOD_TABLE.values() if not method.topological]
     threads = QtGui.QSpinBox()
     threads.setRange(0, 1024)
     threads.setSpecialValueText(translate("HexCon", "one per processor"))
     fields = {"GmshPython": QtGui.QLineEdit(), "ccx": QtGui.QLineEdit(), "Threads": threads,
-              "SurfaceMethod": filling.choice_of("SurfaceMethod", SURFACE_METHODS, sizing.METHOD_WORDS),
-              "Method": filling.choice_of("Method", solved, filling.METHOD_WORDS),
+              "SurfaceMethod": filling.choice_of_methods("SurfaceMethod", list(SURFACE_METHOD_TABLE.values())),
+              "Method": filling.choice_of_methods("Method", solved),
               "Order": filling.choice_of("Order", words.ORDERS, words.ORDERS),
               "FemMenu": QtGui.QCheckBox(translate("HexCon", "HexCon's menu in the FEM workbench too"))}
     for name, field in fields.items():

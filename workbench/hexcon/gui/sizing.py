@@ -4,22 +4,11 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore
 
-from hexcon.quads import METHODS
+from hexcon.quads import METHOD_TABLE
 
-from .filling import choice_of
+from .filling import choice_of_methods
 
 translate = FreeCAD.Qt.translate
-QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
-
-METHOD_WORDS = {
-    "auto": QT_TRANSLATE_NOOP("HexCon", "automatic"),
-    "sweep": QT_TRANSLATE_NOOP("HexCon", "sweep"),
-    "blocks": QT_TRANSLATE_NOOP("HexCon", "blocks"),
-    "subdivided": QT_TRANSLATE_NOOP("HexCon", "subdivided quads"),
-    "subdivided-triangles": QT_TRANSLATE_NOOP("HexCon", "subdivided triangles"),
-    "blossom": QT_TRANSLATE_NOOP("HexCon", "blossom"),
-    "transfinite": QT_TRANSLATE_NOOP("HexCon", "transfinite"),
-}
 
 
 def size_box(size, on_change):
@@ -38,9 +27,8 @@ def size_box(size, on_change):
 
 def method_box():
     """A box with the surface methods, called "surface_method"."""
-    box = choice_of("surface_method", METHODS, METHOD_WORDS)
+    box = choice_of_methods("surface_method", list(METHOD_TABLE.values()))
     box.setToolTip(translate(
-        "HexCon", "How the surface is meshed with quads: swept from cap to cap; in blocks, for "
-        "round solids and those with three edges at each corner; or by gmsh, for any solid. "
+        "HexCon", "How the surface is meshed with quads; the list says what each method is for. "
         "Automatic takes the first that can be"))
     return box

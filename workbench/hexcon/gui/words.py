@@ -1,35 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Results and stages in words: lists of (heading, sentence), as plain or as rich text."""
+import re
 from html import escape
 
 import FreeCAD
 
+from hexcon.stage_words import HEX_STAGES, STAGES, hex_stage
 from hexcon.topological import is_topological
+from hexcon_native import METHOD_TABLE
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
-# The stages that gmsh's worker and the core report; others are shown under their own name.
-STAGES = {
-    "CalculiX": QT_TRANSLATE_NOOP("HexCon", "CalculiX solves"),
-    "start": QT_TRANSLATE_NOOP("HexCon", "Surface: starting gmsh"),
-    "load": QT_TRANSLATE_NOOP("HexCon", "Surface: reading the solid"),
-    "cap": QT_TRANSLATE_NOOP("HexCon", "Surface: quads of the cap"),
-    "walls": QT_TRANSLATE_NOOP("HexCon", "Surface: quads of the walls"),
-    "mesh": QT_TRANSLATE_NOOP("HexCon", "Surface: quads by gmsh"),
-    "check": QT_TRANSLATE_NOOP("HexCon", "Surface: distance from the solid"),
-    "sweep recognition": QT_TRANSLATE_NOOP("HexCon", "Hexes: looking for sweeps"),
-    "linking numbers": QT_TRANSLATE_NOOP("HexCon", "Surface: which closed paths bound inside"),
-    "pairing": QT_TRANSLATE_NOOP("HexCon", "Hexes: pairing quads"),
-    "tetrahedra inside": QT_TRANSLATE_NOOP("HexCon", "Hexes: tetrahedra inside"),
-    "measuring": QT_TRANSLATE_NOOP("HexCon", "Hexes: measuring"),
-    "untangling": QT_TRANSLATE_NOOP("HexCon", "Hexes: untangling"),
-    "placement": QT_TRANSLATE_NOOP("HexCon", "Hexes: placing points"),
-    "optimisation": QT_TRANSLATE_NOOP("HexCon", "Hexes: improving the worst"),
-    "certificate: links": QT_TRANSLATE_NOOP("HexCon", "Certificate: neighbourhoods"),
-    "certificate: pairs": QT_TRANSLATE_NOOP("HexCon", "Certificate: pairs of hexes"),
-    "certificate: Jacobians": QT_TRANSLATE_NOOP("HexCon", "Certificate: Jacobians"),
-}
 ORDERS = {1: QT_TRANSLATE_NOOP("HexCon", "first order (C3D8)"),
           2: QT_TRANSLATE_NOOP("HexCon", "second order (C3D20)")}
 MOST_LISTED = 10
@@ -96,30 +78,19 @@ def of_mesh(mesh):
 
 def _made(mesh):
     """What the method counts, and hexes for each quad of the surface."""
-    report = mesh.report
-    if mesh.method == "swept":
-        made = translate("HexCon", "swept, {cap} cap quads \u00d7 {rings} rings").format(
-            cap=count(report["cap quads"]), rings=count(report["rings"]))
-    elif mesh.method == "sheets":
-        made = translate("HexCon", "{sheets} sheets").format(sheets=count(report["sheets"]))
-        if report["core quads"]:
-            made += translate("HexCon", ", a core of {quads} quads").format(
-                quads=count(report["core quads"]))
-    elif mesh.method == "shelling":
-        made = translate("HexCon", "shelling, {rotations} rotated edges in {shells} shells").format(
-            rotations=count(report["rotations"]), shells=count(report["shells"]))
-    elif mesh.method == "diced":
-        made = translate("HexCon", "diced, {triangles} coarse triangles, {quads} coarse quads, "
-                         "{tetrahedra} tetrahedra inside").format(
-            triangles=count(report["coarse triangles"]), quads=count(report["coarse quads"]),
-            tetrahedra=count(report["tetrahedra"]))
-    elif mesh.method == "cells":
-        made = translate("HexCon", "cells, {layers} layers, {tetrahedra} tetrahedra inside").format(
-            layers=count(report["layers"]), tetrahedra=count(report["tetrahedra"]))
-    else:
-        made = mesh.method
+    method = METHOD_TABLE.get(mesh.method)
+    made = told(translate("HexCon", method.told), mesh.report) if method else mesh.method
     return made + translate("HexCon", "; {number:.1f} hexes a quad").format(
         number=len(mesh.hexes) / len(mesh.quads))
+
+
+def told(template, report):
+    """A method's account of its figures (hexcon_native.Method.told): what is in [] is left out where one is 0."""
+    def optional(match):
+        figures = re.findall(r"{(.+?)}", match[1])
+        return match[1] if all(report.get(figure) for figure in figures) else ""
+    sentence = re.sub(r"\[(.+?)\]", optional, template)
+    return re.sub(r"{(.+?)}", lambda figure: count(report[figure[1]]), sentence)
 
 
 def _warning(topological):
@@ -167,18 +138,12 @@ def of_opening(mesh, kept, faces):
             (translate("HexCon", "Scaled Jacobian"), _quality(mesh.quality))]
 
 
-STAGES_OF_HEXES = {
-    "layers": QT_TRANSLATE_NOOP("HexCon", "boundary layers"),
-    "cells": QT_TRANSLATE_NOOP("HexCon", "cells"),
-    "tetrahedra": QT_TRANSLATE_NOOP("HexCon", "tetrahedra inside"),
-    "star": QT_TRANSLATE_NOOP("HexCon", "star inside"),
-    "core": QT_TRANSLATE_NOOP("HexCon", "core"),
-}
-
-
 def stage_of_hexes(name, hexes):
     """What a stage that put hexes in is called, and how many."""
-    said = translate("HexCon", STAGES_OF_HEXES[name]) if name in STAGES_OF_HEXES else name
+    kind, number = hex_stage(name)
+    said = translate("HexCon", HEX_STAGES[kind]) if kind in HEX_STAGES else kind
+    if number:
+        said = f"{said} {number}"
     return translate("HexCon", "{stage}: {count}").format(stage=said, count=count(hexes))
 
 

@@ -5,8 +5,8 @@ import re
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
+from hexcon.stage_words import ALL
 
-ALL = "all hexes"  # of a method that tells no stages apart
 _STAGE = re.compile(r"hexes of (.+)")
 
 

@@ -6,6 +6,7 @@ import hexcon_native
 from hexcon_native import ErrorCode, HexconError
 
 from ..errors import FaultCode, ToolError
+from ..quads import METHOD_TABLE as SURFACE_METHOD_TABLE
 from ..quads import surface_from_solid
 from ..tetrahedra import tetrahedralise
 from ..topological import is_topological
@@ -21,8 +22,8 @@ _WORTH_ANOTHER = (*_ABOUT_THE_SURFACE, ErrorCode.NON_MANIFOLD_VERTEX, ErrorCode.
 # What auto tries next: parts of the size, and how careful the surface is to be (see surface_from_solid).
 _MORE_TRIES = ((0.94, 1), (0.88, 2), (0.8, 3))
 
-# More subdivided triangles than this are diced before anything else: no other method makes fewer hexes of them, and to
-# look for layers takes longer than to dice.
+# Surfaces of more quads than this are diced before anything else where their method says so: no other method makes
+# fewer hexes of them, and to look for layers takes longer than to dice.
 _DICED_FIRST = 600
 
 # How fast tetrahedra inside grow, up to this many triangles and beyond: slow growth makes a fifth
@@ -145,8 +146,9 @@ def _first_filled(surface_of, tries, method, options):
 
 
 def _filled(surface, method, options, last):
-    """mesh_quad_surface; large surfaces of subdivided triangles are diced first. last: no other surface comes after."""
-    large = surface.method == "subdivided-triangles" and len(surface.quads) > _DICED_FIRST
+    """mesh_quad_surface; large surfaces of some methods are diced first. last: no other surface comes after."""
+    row = SURFACE_METHOD_TABLE.get(surface.method)  # none of given quads
+    large = len(surface.quads) > _DICED_FIRST and row is not None and row.diced_first
     if method == "auto" and large and not options.get("layers"):
         try:
             return mesh_quad_surface(surface, "diced", **{**options, "allow_uncertified": False})

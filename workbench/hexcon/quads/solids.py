@@ -8,9 +8,9 @@ import numpy as np
 from hexcon.errors import FaultCode, ToolError
 from hexcon.gmsh_process import run_job
 
+from .gmsh_worker.methods import METHODS
 from .surface import finished
 
-METHODS = ("auto", "sweep", "blocks", "subdivided", "subdivided-triangles", "blossom", "transfinite")
 CAD_ENDINGS = (".step", ".stp", ".brep", ".brp")
 
 

@@ -1,21 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Entry point of the subprocess: reads the job, writes result.npz or fault.json beside it."""
+import importlib
 import sys
 
 import numpy as np
 
 from . import cad, session
-from .blocks import blocks_surface
 from .fault import WorkerFault
+from .methods import METHOD_TABLE, tried_by_auto
 from .nearness import distances
-from .sweep import sweep_surface
-from .triangles import triangle_surface
-from .whole import whole_surface
 
 MOST_QUADS = 5e6    # more is a slip of the keyboard, and would fill the memory
-# The methods whose quads invite a structured mesh, the best first: maker, its refusal, and that in words.
-NATURAL = {"sweep": (sweep_surface, "NOT_SWEEPABLE", "not swept"),
-           "blocks": (blocks_surface, "NOT_BLOCKS", "not of blocks")}
 
 
 def _run(job, link):
@@ -36,36 +31,27 @@ def _run(job, link):
 
 def _mesh(solid, job, link):
     """(mesh, name of the method that made it, notes about the choice)."""
-    method, size = job["method"], job["size"]
-    if method in NATURAL:
-        return _natural(solid, method, size, link), method, []
-    if method == "subdivided-triangles":
-        return triangle_surface(solid, size, link, job["care"]), method, []
-    if method != "auto":
-        return whole_surface(solid, size, method, link), method, []
-    notes = []
-    for name, (_, refusal, word) in NATURAL.items():
+    if job["method"] != "auto":
+        return _made(METHOD_TABLE[job["method"]], solid, job, link), job["method"], []
+    notes, rows = [], tried_by_auto()
+    for row in rows:
         try:
-            return _natural(solid, name, size, link), name, notes
+            return _made(row, solid, job, link), row.name, notes
         except WorkerFault as fault:
-            if fault.code != refusal:
+            if row is rows[-1] or row.refusal not in ("", fault.code):
                 raise
-            notes.append(f"auto: {word}: {fault}")
-    # Hexes inside: 3 a quad on triangles, 10 to 22, and worse ones, where there are coarse quads.
-    try:
-        return triangle_surface(solid, size, link, job["care"]), "subdivided-triangles", notes
-    except WorkerFault as fault:
-        notes.append(f"auto: no subdivided triangles: {fault}")
-    return whole_surface(solid, size, "subdivided", link), "subdivided", notes
+            notes.append(f"auto: {row.refused}: {fault}")
 
 
-def _natural(solid, method, size, link):
-    """The mesh by one of NATURAL; WorkerFault with its refusal."""
-    make, refusal, _ = NATURAL[method]
-    cavities = cad.count_shells(solid) - 1
+def _made(row, solid, job, link):
+    """The mesh by one method of the table."""
+    cavities = 0 if row.cavities else cad.count_shells(solid) - 1
     if cavities:
-        raise WorkerFault(refusal, f"the solid has cavities, {cavities} in number")
-    return make(solid, size, link)
+        raise WorkerFault(row.refusal, f"the solid has cavities, {cavities} in number")
+    module, function = row.maker.split(".")
+    make = getattr(importlib.import_module(f".{module}", __package__), function)
+    offered = {"method": row.name, "care": job["care"]}
+    return make(solid, job["size"], link=link, **{name: offered[name] for name in row.takes})
 
 
 sys.exit(session.run(sys.argv[1], _run))

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+/** The one table of methods: all that dispatches, checks options or tells users reads it. */
+#ifndef HEXCON_SOLVE_METHODS_H
+#define HEXCON_SOLVE_METHODS_H
+
+#include "mesh_result.h"
+#include "surface/half_edges.h"
+
+/**
+ * Fill a checked surface.
+ * @param mesh  its points and hexes are filled, and its quality, if the method looked at
+ * it; the caller frees, also after an error
+ */
+typedef hexcon_status (*method_function)(hexcon_context *context, const surface *s,
+                                         const hexcon_mesh_options *options, hexcon_mesh *mesh);
+
+typedef struct method_row {
+  hexcon_method_facts facts;
+  method_function fill; /**< NULL: auto */
+} method_row;
+
+/** @return NULL if there is no such method */
+const method_row *method_find(hexcon_method method);
+
+/** The try of `auto` with this turn, and whose it is. @return NULL if there is none */
+const hexcon_method_try *method_try_of_turn(int turn, const method_row **row);
+
+/** Facts of a method by which some of them are chosen. */
+typedef bool (*method_predicate)(const hexcon_method_facts *facts);
+
+/** Room for what method_list writes. */
+enum { METHOD_LIST = 256 };
+
+/** Names of the methods that are so: "diced, cells". @param text [METHOD_LIST] */
+void method_list(method_predicate is_so, char *text);
+
+#endif

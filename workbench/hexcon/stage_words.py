@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the stages of work are called: those of the core's tables, and those of the programs around it."""
+import re
+
+import hexcon_native
+
+ALL = "all hexes"  # the one stage of hexes of a method that tells none apart
+
+# Told by gmsh's workers, CalculiX and this package.
+AROUND = {
+    "start": "Surface: starting gmsh",
+    "load": "Surface: reading the solid",
+    "cap": "Surface: quads of the cap",
+    "walls": "Surface: quads of the walls",
+    "faces": "Surface: quads of the blocks' faces",
+    "mesh": "Surface: quads by gmsh",
+    "check": "Surface: distance from the solid",
+    "CalculiX": "CalculiX solves",
+}
+
+STAGES = {**AROUND, **hexcon_native.STAGES}
+"""name: words, of all stages that a progress callback may be told of."""
+
+HEX_STAGES = {**hexcon_native.HEX_STAGES, ALL: "all hexes"}
+"""name: words, of the stages that put hexes in."""
+
+_NUMBERED = re.compile(r"(.+) (\d+)")
+
+
+def hex_stage(name):
+    """(name in HEX_STAGES, number or None) of a stage in a report: "split layer 2" is ("split layer", "2")."""
+    numbered = _NUMBERED.fullmatch(name)
+    return (numbered[1], numbered[2]) if numbered and numbered[1] in HEX_STAGES else (name, None)
