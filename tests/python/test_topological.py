@@ -113,12 +113,15 @@ def test_other_meshes_know_nothing_of_it(tmp_path, override):
     assert "TOPOLOGICAL" not in (tmp_path / "x.inp").read_text()
 
 
+PULL = {"Face2": (1.0, 0.0, 0.0)}
+
+
 def test_a_full_deck():
     mesh = topological(block(2, 1, 1))
     refused(calculix.static_deck, mesh)
-    assert "** TOPOLOGICAL" in calculix.static_deck(mesh, allow_topological=True)
+    assert "** TOPOLOGICAL" in calculix.static_deck(mesh, force=PULL, allow_topological=True)
     mesh.topological = False
-    assert "TOPOLOGICAL" not in calculix.static_deck(mesh)
+    assert "TOPOLOGICAL" not in calculix.static_deck(mesh, force=PULL)
 
 
 # ---------------------------------------------------------------------------------------- meshing

@@ -4,12 +4,14 @@
 Programs that write for us (gmsh, CalculiX, VTK, FreeCAD) report a full disk badly or not at all,
 so after a fault of theirs the disk itself is asked.
 """
+import contextlib
 import errno
 import os
+import secrets
 import shutil
 import tempfile
-from contextlib import contextmanager
 
+from . import keeper
 from .errors import FaultCode, HexconError, ToolError
 
 FULL = (errno.ENOSPC, errno.EDQUOT)
@@ -32,7 +34,7 @@ def reason(error, folder):
     return error.strerror or str(error)
 
 
-@contextmanager
+@contextlib.contextmanager
 def naming(folder, what):
     """Inside, OSError, and on a full disk whatever a program led to, become ToolError(FILE_IO):
     "cannot <what>: why"."""
@@ -50,18 +52,29 @@ def naming(folder, what):
         raise ToolError(f"cannot {what}: {NO_SPACE.format(folder)}", FaultCode.FILE_IO) from error
 
 
-def new_folder(prefix):
-    """A temporary folder, to be removed by the caller. Raises ToolError(FILE_IO)."""
-    # gettempdir tries to write: on a full disk it finds no folder at all
-    with naming(tempfile.tempdir or os.environ.get("TMPDIR") or "/tmp", "make a temporary folder"):
-        return tempfile.mkdtemp(prefix=prefix)
+def new_folder(prefix, place=None):
+    """A temporary folder, to be removed by the caller; in `place`, or where temporary files go. Until the caller tells
+    keeper.let_folder_go of it, it goes with this process. Raises ToolError(FILE_IO), or OSError where it has a place."""
+    if place is None:
+        # gettempdir tries to write: on a full disk it finds no folder at all
+        with naming(tempfile.tempdir or os.environ.get("TMPDIR") or "/tmp", "make a temporary folder"):
+            return new_folder(prefix, tempfile.gettempdir())
+    path = os.path.join(os.path.abspath(place), prefix + secrets.token_hex(8))
+    keeper.hold_folder(path)
+    try:
+        os.mkdir(path, 0o700)
+    except OSError:
+        keeper.let_folder_go(path)
+        raise
+    return path
 
 
-@contextmanager
-def working_folder(prefix):
-    """A temporary folder that is gone afterwards; faults while it is made are named."""
-    folder = new_folder(prefix)
+@contextlib.contextmanager
+def working_folder(prefix, place=None):
+    """A temporary folder that is gone afterwards, whatever ends this process; faults while it is made are named."""
+    folder = new_folder(prefix, place)
     try:
         yield folder
     finally:
         shutil.rmtree(folder, ignore_errors=True)
+        keeper.let_folder_go(folder)

@@ -16,6 +16,7 @@ from hexcon.topological import is_topological, refuse_topological
 from . import constraints as make
 from . import frd
 from .freecad_deck import correct_loads
+from .judging import check_loads
 from .loads import force_vector
 from .material import material_of
 from .result import Result
@@ -43,6 +44,7 @@ def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pres
     TOOL_TIMEOUT, FILE_IO, BAD_OPTION, BAD_MESH, TOPOLOGICAL_MESH.
     """
     refuse_topological(mesh, allow_topological)
+    check_loads(force, pressure)
     force, pressure = _without_zeros(force), dict(pressure or {})
     material = material_of(material)
     faces = [[make.face_name(solid, name) for name in group]
@@ -194,7 +196,7 @@ def _run(setup, tools, program, timeout, threads, waiting):
     result of a failed run."""
     def job(progress):
         return run_ccx(tools.inp_file_name, timeout=timeout, threads=threads, ccx=program,
-                       progress=progress)
+                       progress=progress, nodes=setup.mesh.node_ids[np.unique(setup.mesh.hexes)])
     try:
         return waiting(job, "CalculiX") if waiting else job(None)
     except ToolError as error:

@@ -11,6 +11,7 @@ from hexcon.files.abaqus import write_mesh
 from hexcon.files.text import write_list, write_rows
 from hexcon.topological import refuse_topological
 
+from .judging import check_loads
 from .loads import face_force, force_vector
 from .material import material_of
 
@@ -38,7 +39,7 @@ def static_deck(mesh, material=None, fixed=("Face1",), force=None, pressure=None
     prescribed  (nodes (k,) 0-based, displacements (k,3) mm) at the given order, optional
     integration_points  print the stresses there to the .dat file
     allow_topological   take a mesh of topology only as well: its results mean nothing
-    Raises ToolError: BAD_OPTION (no such face, nothing held), BAD_MESH, TOPOLOGICAL_MESH.
+    Raises ToolError: BAD_OPTION (no such face, nothing held, no load but zero), BAD_MESH, TOPOLOGICAL_MESH.
     """
     refuse_topological(mesh, allow_topological)
     elements = elements_of(mesh, order)
@@ -46,6 +47,7 @@ def static_deck(mesh, material=None, fixed=("Face1",), force=None, pressure=None
     if not fixed and prescribed is None:
         raise ToolError("nothing is held: name at least one fixed face, or CalculiX finds "
                         "a singular system", FaultCode.BAD_OPTION)
+    check_loads(force, pressure, prescribed)
     out = io.StringIO()
     out.write("** HexCon: linear static analysis; N, mm, MPa\n")
     write_mesh(out, elements)
