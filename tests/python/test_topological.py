@@ -195,7 +195,7 @@ def test_pairing_is_passed_on_only_where_it_is_asked_for(monkeypatch, given, tmp
 
 
 def test_a_solid_is_not_solved(pretended, capsys):
-    command = ("solve", WEDGE, "--size", 8, "--fixed", "Face1", "--method", "pyramid")
+    command = ("solve", WEDGE, "--size", 8, "--fixed", "Face1", "--force", "Face2=0,0,-1", "--method", "pyramid")
     status, _, errors = run(capsys, *command)
     assert status == 1 and "[TOPOLOGICAL_MESH]" in errors and not pretended
     status, said, errors = run(capsys, *command, "--allow-topological", "--json")
@@ -208,7 +208,7 @@ def test_a_file_without_the_mark_is_not_solved_either(tmp_path, capsys):
     mesh = topological(block(3, 1, 1))
     mesh.points[[1, 2]] = mesh.points[[2, 1]]  # no hex is positive any more
     hexcon.write(mesh, tmp_path / "x.vtu")
-    command = ("solve", tmp_path / "x.vtu", "--fixed", "Face1", "--json")
+    command = ("solve", tmp_path / "x.vtu", "--fixed", "Face1", "--force", "Face2=0,0,-1", "--json")
     status, said, _ = run(capsys, *command)
     told = json.loads(said)
     assert status == 1 and told["code"] == "BAD_MESH" and told["elements"]

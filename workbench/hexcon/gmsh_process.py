@@ -11,9 +11,7 @@ import shutil
 import sys
 import time
 
-import numpy as np
-
-from hexcon import child, disk, preferences
+from hexcon import answers, child, disk, preferences
 from hexcon.errors import FaultCode, ToolError
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -78,7 +76,7 @@ def run_job(worker, write_input, job, timeout, progress=None):
             risk = _crashed_in(folder, ended.status)
             if risk is None or len(job["avoid"]) >= CRASHES:
                 with disk.naming(folder, f"work in {folder}"):
-                    return _result(folder, ended)
+                    return _result(folder, ended, worker)
             job["avoid"].append(risk)
 
 
@@ -97,30 +95,17 @@ def _run(python, job_path, folder, worker, limit, timeout, progress):
     """Start, watch, and in any case end the subprocess; a child.Ended."""
     environment = child.python_environment(python, WORKERS, PYTHONDONTWRITEBYTECODE="1", OMP_NUM_THREADS="1",
                                            **SAME_MEMORY)
-    look = progress and (lambda: _pass_on(os.path.join(folder, "progress.txt"), progress))
+    # without news too, so that it can cancel
+    look = progress and (lambda: progress(*answers.read_progress(os.path.join(folder, "progress.txt"))))
     return child.run([python, "-m", worker, job_path], "gmsh", folder=folder, environment=environment,
                      timeout=timeout, limit=limit, look=look)
 
 
-def _pass_on(path, progress):
-    """Call progress with the newest line; without news too, so that it can cancel."""
-    try:
-        with open(path, encoding="utf-8") as stream:
-            lines = stream.read().splitlines()
-    except OSError:
-        lines = []
-    stage, fraction = lines[-1].split() if lines and len(lines[-1].split()) == 2 else ("start", "0")
-    progress(stage, float(fraction))
-
-
-def _result(folder, ended):
+def _result(folder, ended, worker):
     fault = os.path.join(folder, "fault.json")
     if os.path.exists(fault):
-        with open(fault, encoding="utf-8") as stream:
-            found = json.load(stream)
-        raise ToolError(found["message"], FaultCode[found["code"]], found["elements"])
+        raise answers.read_fault(fault, "gmsh")
     result = os.path.join(folder, "result.npz")
     if ended.status != 0 or not os.path.exists(result):
         raise ToolError(f"gmsh {ended.how()}: {ended.last_words()}", FaultCode.TOOL_FAILED)
-    with np.load(result) as arrays:
-        return dict(arrays)
+    return answers.read_arrays(result, "gmsh", answers.RESULTS[worker])

@@ -12,7 +12,8 @@ from . import commands, examples
 
 PAIRINGS = ("all", "fewest", "none")
 _EXIT = ("exit status: 0 done; 1 a fault, its words on standard error; 2 wrong usage; 3 check: not "
-         "certified; 130 interrupted")
+         "certified; 129, 130, 143 ended by SIGHUP, SIGINT, SIGTERM: no file is half written; 141 nobody read the "
+         "answer to its end")
 
 
 def _face_vector(text):
