@@ -6,7 +6,6 @@ killed. What it prints is read through a pipe and kept within bounds.
 """
 import os
 import shutil
-import signal
 import subprocess
 import sys
 import threading
@@ -135,11 +134,9 @@ class _Child(threading.Thread):
         if self.process is None:
             return
         try:
-            os.killpg(self.process.pid, signal.SIGKILL)
+            keeper.end_group(self.process.pid, 0.0 if self._has_ended() else keeper.GRACE)
         except AttributeError:      # no process groups
             self.process.kill()
-        except OSError:             # all gone
-            pass
         self.process.wait()
         keeper.let_group_go(self.process.pid)
         self.join(1.0)              # one that left the session may hold the pipe

@@ -16,6 +16,7 @@ import sys
 import threading
 import time
 
+GRACE = 0.1         # seconds that a group has to end in order
 PATIENCE = 5.0      # seconds in which a folder must be gone: what was killed may write into it for a moment
 
 
@@ -106,6 +107,7 @@ def let_folder_go(path):
 
 
 # ------------------------------------------------------------------------------ the keeper's side
+# (and end_group, which both have)
 
 def _told(stream):
     """The records held when the stream ends."""
@@ -122,13 +124,24 @@ def _told(stream):
                 held.pop(line[1:], None)
 
 
+def end_group(number, grace):
+    """End a process group: by SIGTERM, and after so many seconds, if any, by SIGKILL.
+
+    Xvfb needs them, to take away its lock and socket."""
+    signals = [signal.SIGTERM, signal.SIGKILL] if grace else [signal.SIGKILL]
+    for one in signals:
+        try:
+            os.killpg(number, one)
+        except OSError:     # all gone
+            return
+        if one is not signal.SIGKILL:
+            time.sleep(grace)
+
+
 def _clean_up(held):
     for record in held:
         if record[:1] == b"g":
-            try:
-                os.killpg(int(record[1:]), signal.SIGKILL)
-            except OSError:
-                pass
+            end_group(int(record[1:]), GRACE)
     for record in held:
         if record[:1] == b"f":
             _remove(os.fsdecode(record[1:]))

@@ -114,9 +114,9 @@ def _command(program, arrays, path):
 
 def _draw(program, arrays, path, timeout):
     command = _command(program, arrays, path)
-    # xvfb-run, Xvfb and the program are ended as one group
+    # xvfb-run has a temporary folder of its own
     ended = child.run(command, "the drawing program", timeout=timeout,
-                      environment=child.python_environment(python(), [_FOLDER]))
+                      environment=child.python_environment(python(), [_FOLDER], TMPDIR=os.path.dirname(arrays)))
     if ended.status or not os.path.exists(path):
         if "No module named 'vtk" in ended.output:
             raise ToolError("drawing needs VTK for Python (Debian: apt install python3-vtk9; "
