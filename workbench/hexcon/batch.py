@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Hex meshes for a folder of parts: one line a part, a summary, and no failure stops the rest."""
-import argparse
 import os
 import time
 import traceback
@@ -98,7 +97,7 @@ def mesh_folder(folder, out, size, endings=(".inp",), tell=print, **options):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(
+    parser = terminal.Parser(
         prog="mesh_folder", description="Hex meshes for every solid in a folder.",
         epilog="exit status: 0 all done; 1 a part failed, or there was none; 2 wrong usage; 129, 130, 143 ended by "
                "SIGHUP, SIGINT, SIGTERM; 141 nobody read the lines to their end")

@@ -9,6 +9,7 @@ from ..examples import example_names
 from ..files.surfaces import SURFACE_ENDINGS
 from ..quads import METHODS as SURFACE_METHODS
 from . import commands, examples
+from .terminal import Parser
 
 PAIRINGS = ("all", "fewest", "none")
 _EXIT = ("exit status: 0 done; 1 a fault, its words on standard error; 2 wrong usage; 3 check: not "
@@ -140,7 +141,7 @@ def _add_solve(commands_parser):
 
 def parse(arguments=None):
     """Parsed options; .run is the command's function, .command its name."""
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="hexcon", epilog=_EXIT,
         description="Hexahedral meshes whose boundary is exactly a given quad surface.")
     commands_parser = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What surrounds a program: the streams it speaks on, which may be closed, full or narrow, and signals that end it."""
+import argparse
 import os
 import signal
 import sys
@@ -73,6 +74,17 @@ def complain(text):
         print(text, file=sys.stderr, flush=True)
     except OSError:
         pass
+
+
+class Parser(argparse.ArgumentParser):
+    """argparse's, which speaks as everything else does here."""
+
+    def print_help(self, file=None):
+        say(self.format_help().rstrip("\n"))
+
+    def error(self, message):
+        complain(f"{self.format_usage()}{self.prog}: error: {message}")
+        raise SystemExit(2)
 
 
 def _flushed(status, name):

@@ -50,6 +50,8 @@ def by_tetgen(program, points, triangles, timeout, progress):
             raise _gave_up(ended, str(error)) from error
     if len(made) < len(points) or not (np.isfinite(made).all() and np.isfinite(tetrahedra).all()):
         raise _gave_up(ended, "points are missing, or numbers are no numbers")
+    if tetrahedra[:, 1:].min(initial=0) < 0 or tetrahedra[:, 1:].max(initial=0) >= len(made):
+        raise _gave_up(ended, "a tetrahedron has a point that does not exist")
     return np.concatenate([points, made[len(points):, 1:4]]), tetrahedra[:, 1:5].astype(np.int64)
 
 
