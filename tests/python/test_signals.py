@@ -33,6 +33,8 @@ wait
 # stage: (command, its arguments, environment that puts FAKE in place)
 STAGES = {
     "gmsh": (PROGRAM, ["mesh", WEDGE, "--size", "8", "-o", "out/x.inp"], {"HEXCON_GMSH_PYTHON": "fake"}),
+    "tetgen": (PROGRAM, ["mesh", "example:octahedron", "--method", "cells", "-o", "out/x.vtu"],
+               {"HEXCON_GMSH_PYTHON": "none", "HEXCON_TETGEN": "fake"}),
     "ccx": (PROGRAM, ["solve", "box.vtu", "--fixed", "Face1", "--force", "Face2=0,0,1", "-o", "out/x.vtu"],
             {"HEXCON_CCX": "fake"}),
     "freecadcmd": (PROGRAM, ["mesh", WEDGE, "--size", "8", "-o", "out/x.FCStd"],
@@ -112,7 +114,7 @@ def test_signal_to_real_gmsh(place, number):
     """Blossom on a fine wedge takes gmsh half a minute."""
     process, token = begin(place, [*PROGRAM, "mesh", WEDGE, "--size", "0.1", "--surface-method", "blossom", "-o",
                                    "out/x.inp"], {})
-    assert wait_for(lambda: list((place / "temporary").glob("*/progress.txt")))
+    assert wait_for(lambda: list((place / "temporary").rglob("progress.txt")))
     process.send_signal(number)
     process.communicate(timeout=PATIENCE)
     assert process.returncode == SIGNALS[number]

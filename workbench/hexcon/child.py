@@ -20,6 +20,9 @@ KEPT = 8 << 20          # bytes of its output kept from the beginning, and as ma
 MOST_OUTPUT = 256 << 20     # bytes; no program of ours says a hundredth of it
 
 
+_TRACEBACK = "Traceback (most recent call last)"
+
+
 @dataclass
 class Ended:
     """How a child ended: its status (-n: by signal n), and what it printed, which may lack the middle."""
@@ -31,8 +34,10 @@ class Ended:
         return f"was ended by signal {-self.status}" if self.status < 0 else f"ended with status {self.status}"
 
     def last_words(self, most=12):
-        """The lines that begin with Error, or the last ones."""
+        """The lines that begin with Error, or the last ones; of a Python traceback what it ends with."""
         lines = [line.rstrip()[:500] for line in self.output.splitlines() if line.strip()]
+        if any(line.startswith(_TRACEBACK) for line in lines):
+            lines = [line for line in lines if not line.startswith((_TRACEBACK, " ", "During handling"))]
         errors = [line for line in lines if line.startswith("Error")] or lines
         return "\n".join(errors[-most:]) or "it said nothing"
 

@@ -10,6 +10,9 @@ import os
 import secrets
 import shutil
 import tempfile
+import zipfile
+
+import numpy as np
 
 from . import keeper
 from .errors import FaultCode, HexconError, ToolError
@@ -53,8 +56,8 @@ def naming(folder, what):
 
 
 def new_folder(prefix, place=None):
-    """A temporary folder, to be removed by the caller; in `place`, or where temporary files go. Until the caller tells
-    keeper.let_folder_go of it, it goes with this process. Raises ToolError(FILE_IO), or OSError where it has a place."""
+    """A temporary folder in `place`, or where temporary files go, for remove_folder. Until then, or until the caller
+    tells keeper.let_folder_go of it to keep it, it goes with this process. Raises ToolError(FILE_IO), or OSError where it has a place."""
     if place is None:
         # gettempdir tries to write: on a full disk it finds no folder at all
         with naming(tempfile.tempdir or os.environ.get("TMPDIR") or "/tmp", "make a temporary folder"):
@@ -76,5 +79,19 @@ def working_folder(prefix, place=None):
     try:
         yield folder
     finally:
-        shutil.rmtree(folder, ignore_errors=True)
-        keeper.let_folder_go(folder)
+        remove_folder(folder)
+
+
+def remove_folder(folder):
+    """Remove what new_folder has made, with all that is in it."""
+    shutil.rmtree(folder, ignore_errors=True)
+    keeper.let_folder_go(folder)
+
+
+def write_arrays(path, arrays):
+    """An .npz file of a dict of arrays, as np.savez makes it. Raises OSError, and nothing after it: on a full disk
+    np.savez leaves an archive open, which complains once more when it is collected."""
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_STORED) as archive:
+        for name, array in arrays.items():
+            with archive.open(name + ".npy", "w", force_zip64=True) as stream:
+                np.lib.format.write_array(stream, np.asanyarray(array), allow_pickle=False)

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A linear static analysis through FreeCAD's FEM workbench, without its GUI."""
 import os
-import shutil
 from contextlib import contextmanager
 
 import numpy as np
 
-from hexcon import disk, freecad_compat
+from hexcon import disk, freecad_compat, keeper
 from hexcon.errors import FaultCode, HexconError, ToolError
 from hexcon.femmesh.convert import from_femmesh, to_femmesh
 from hexcon.femmesh.document import insert
@@ -75,14 +74,16 @@ def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pres
 
 @contextmanager
 def _kept_for_a_reason(folder, given):
-    """A folder of ours is kept with the deck in it, unless the disk could not hold that."""
+    """A folder of ours is kept with the deck in it, unless the disk could not hold that, or the process is ended."""
     try:
         with disk.naming(folder, f"work in {folder}"):
             yield
     except HexconError as fault:
         if fault.code is FaultCode.FILE_IO and not given:
-            shutil.rmtree(folder, ignore_errors=True)
+            disk.remove_folder(folder)
+        keeper.let_folder_go(folder)
         raise
+    keeper.let_folder_go(folder)
 
 
 def _without_zeros(force):

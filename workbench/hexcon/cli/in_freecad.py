@@ -47,7 +47,7 @@ def rerun(arguments=None):
     if program is None:
         return None
     arguments = sys.argv[1:] if arguments is None else arguments
-    with disk.working_folder("hexcon-cli-") as folder:
+    with disk.working_folder("hexcon-cli-") as folder, disk.naming(folder, f"work in {folder}"):
         limit, started = time.monotonic() + STARTING, os.path.join(folder, "started")
 
         def look():
@@ -55,7 +55,7 @@ def rerun(arguments=None):
                 raise ToolError(f"{program} did not start within {STARTING:g} seconds; FREECADCMD can name another",
                                 FaultCode.TOOL_TIMEOUT)
         ended = child.run([program, os.path.abspath(__file__), "--", folder, *arguments], "FreeCAD",
-                          environment=child.python_environment(program), look=look)
+                          environment=child.python_environment(program, TMPDIR=folder), look=look)
         path = os.path.join(folder, "answer.json")
         if ended.status < 0 or not os.path.exists(path):
             raise ToolError(f"FreeCAD ({program}) {ended.how()} and did not come to an answer: {ended.last_words()}",

@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What surrounds a program: the streams it speaks on, which may be closed, full or narrow, and signals that end it."""
 import argparse
+import contextlib
 import os
 import signal
 import sys
+import tempfile
+
+from hexcon import disk
+from hexcon.errors import ToolError
 
 EXIT_FAULT, EXIT_CLOSED, EXIT_SIGNAL = 1, 141, 128      # 141: as of a program that SIGPIPE ends; 128 + the signal's number
 SIGNALS = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
@@ -32,7 +37,8 @@ def run(main, name):
     _prepare_streams()
     before = _catch_signals()
     try:
-        status = main()
+        with _temporary_folder():
+            status = main()
     except SystemExit as stop:      # argparse
         status = stop.code if isinstance(stop.code, int) else 2
     except KeyboardInterrupt as stop:
@@ -48,6 +54,26 @@ def run(main, name):
         for number, handler in before.items():
             signal.signal(number, handler)
     return _flushed(status, name)
+
+
+@contextlib.contextmanager
+def _temporary_folder():
+    """One for all: FreeCAD leaves files of its own where temporary ones go if it cannot finish."""
+    place, variable = tempfile.tempdir, os.environ.get("TMPDIR")
+    try:
+        folder = disk.new_folder("hexcon-")
+    except ToolError:       # a full disk: that is told where the folder is needed
+        yield
+        return
+    tempfile.tempdir = os.environ["TMPDIR"] = folder
+    try:
+        yield
+    finally:
+        tempfile.tempdir = place
+        os.environ.pop("TMPDIR")
+        if variable is not None:
+            os.environ["TMPDIR"] = variable
+        disk.remove_folder(folder)
 
 
 def _catch_signals():

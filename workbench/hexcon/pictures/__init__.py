@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures of a mesh and of its displacements, drawn by VTK without a screen."""
+import errno
 import os
 import shutil
 import sys
@@ -48,7 +49,7 @@ def draw(program, job, path, timeout=300):
     with disk.working_folder("hexcon-picture-") as folder:
         arrays = os.path.join(folder, "scene.npz")
         with disk.naming(folder, f"work in {folder}"):
-            np.savez(arrays, **job)
+            disk.write_arrays(arrays, job)
         replace_file(path, lambda beside: _draw(program, arrays, beside, timeout))
 
 
@@ -121,6 +122,8 @@ def _draw(program, arrays, path, timeout):
         if "No module named 'vtk" in ended.output:
             raise ToolError("drawing needs VTK for Python (Debian: apt install python3-vtk9; "
                             "others: pip install vtk)", FaultCode.TOOL_MISSING)
+        if "Ran out of disk space" in ended.output:     # and has deleted what it had written: there is space again
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
         raise ToolError(f"VTK did not draw the picture, the program {ended.how()}:\n" + ended.last_words(),
                         FaultCode.TOOL_FAILED)
     _check_picture(path)

@@ -3,17 +3,14 @@
 
 This file decides what is seen; gallery_scene.py, a program of its own, draws it.
 """
-import contextlib
 import os
-import shutil
 
 import numpy as np
 
 import hexcon_native
 from hexcon import disk
-from hexcon.errors import FaultCode, HexconError, ToolError
+from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.hexahedron import FACES
-from hexcon.files import replace_file
 from hexcon.inspection.dual_loops import centres_of, dual_loops
 from hexcon.inspection.pairs import bars_of_pairs, colours_of_pairs
 from hexcon.inspection.stages import stages_of
@@ -47,36 +44,27 @@ def stages(surface, mesh, folder, *, name="surface"):
     jobs = [("surface", _loops_job(surface, name)), ("pairs", _pairs_job(surface, name))]
     if mesh is not None:
         jobs += _hexes_jobs(surface, mesh, name)
-    _check_folder(folder)
+    place = _place_of(folder)
     names = [f"{k}-{words.replace(' ', '-')}.png" for k, (words, _) in enumerate(jobs, 1)]
-    with disk.working_folder("hexcon-gallery-") as beside:
+    with disk.naming(place, f"write into {folder}"), disk.working_folder(".hexcon-", place) as beside:
         for file_name, (_, job) in zip(names, jobs):
             draw("gallery_scene.py", job, os.path.join(beside, file_name))
-        return [_put(os.path.join(beside, file_name), folder) for file_name in names]
-
-
-def _check_folder(folder):
-    """Raise FILE_IO where the folder cannot be made, or nothing be put into it: before the drawing, not after it."""
-    there = os.path.abspath(folder)
-    while not os.path.lexists(there):
-        there = os.path.dirname(there)
-    if not os.path.isdir(there) or not os.access(there, os.W_OK | os.X_OK):
-        raise ToolError(f"cannot make the folder {folder}: {there} is no folder, or not to be written into",
-                        FaultCode.FILE_IO)
-
-
-def _put(picture, folder):
-    """Copy a picture into the folder, which is made; returns its path. Where that fails, an empty folder goes again."""
-    path = os.path.join(folder, os.path.basename(picture))
-    with disk.naming(folder, f"make the folder {folder}"):
         os.makedirs(folder, exist_ok=True)
-    try:
-        replace_file(path, lambda beside: shutil.copyfile(picture, beside))
-    except HexconError:
-        with contextlib.suppress(OSError):
-            os.rmdir(folder)
-        raise
-    return path
+        for file_name in names:
+            os.replace(os.path.join(beside, file_name), os.path.join(folder, file_name))
+    return [os.path.join(folder, file_name) for file_name in names]
+
+
+def _place_of(folder):
+    """The folder, or of those in which it will be made the one that is there: its disk takes the pictures until all are
+    drawn. Raises FILE_IO where nothing can be put into it: before the drawing, not after it."""
+    place = os.path.abspath(folder)
+    while not os.path.lexists(place):
+        place = os.path.dirname(place)
+    if not os.path.isdir(place) or not os.access(place, os.W_OK | os.X_OK):
+        raise ToolError(f"cannot make the folder {folder}: {place} is no folder, or not to be written into",
+                        FaultCode.FILE_IO)
+    return place
 
 
 # ---------------------------------------------------------------------------------------- surface
