@@ -183,11 +183,26 @@ def test_nothing_held_is_refused():
 
 
 @pytest.mark.parametrize("loads,words", [({}, "no load is given"), ({"force": {"Face2": (0, 0, 0)}}, "Face2 are all zero"),
-                                         ({"pressure": {"Face3": 0.0}}, "Face3 are all zero")])
+                                         ({"pressure": {"Face3": 0.0}}, "Face3 are all zero"),
+                                         ({"force": {"Face2": "much"}}, "three finite"),
+                                         ({"pressure": {"Face3": "much"}}, "a finite number")])
 def test_nothing_loaded_is_refused(loads, words):
     with pytest.raises(ToolError, match=words) as raised:
         calculix.static_deck(block(1, 1, 1), **loads)
     assert raised.value.code is FaultCode.BAD_OPTION
+
+
+@pytest.mark.parametrize("sets,held,words", [
+    ("*NSET,NSET=Held\n1,\n2,\n", "Held,1", None), ("*NSET,NSET=Held\n", "Held,1", "node set HELD has no nodes"),
+    ("", "Held,1", "HELD has no nodes"), ("", "7,1", None), ("*NSET,NSET=Other\n1\n", "", "holds nothing")])
+def test_a_deck_that_holds_nothing(sets, held, words):
+    from hexcon.calculix.freecad_deck import _cards, check_held
+    cards = _cards(f"*NODE\n1,0,0,0\n{sets}*STEP\n*BOUNDARY\n{held}\n*END STEP\n")
+    if words is None:
+        check_held(cards)
+        return
+    with pytest.raises(ToolError, match=words):
+        check_held(cards)
 
 
 def test_error_lines_join_continuations():

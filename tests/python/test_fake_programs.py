@@ -115,6 +115,7 @@ GMSH = {
     "rubbish as progress": (npz(SURFACE), 'head -c 9999 /dev/urandom > "$folder"/progress.txt; sleep 0.2; ' + HAND_OVER,
                             None, ""),
     "progress nan": (npz(SURFACE), 'echo "x nan" > "$folder"/progress.txt; sleep 0.2; ' + HAND_OVER, None, ""),
+    "writes without end": (None, 'exec yes rubbish > "$folder"/result.npz', "TOOL_FAILED", "wrote more than"),
     "the folder is gone": (None, 'rm -r "$folder"', "TOOL_FAILED", "status 0"),
     "a folder as its result": (None, 'mkdir "$folder"/result.npz', "TOOL_FAILED", "damaged"),
     "a fault": (text("fault.json", json.dumps({"code": "NOT_BLOCKS", "message": "so it is", "elements": [3]})), HAND_OVER,
@@ -354,6 +355,7 @@ def temporary(tmp_path, monkeypatch):
         (tmp_path / name).mkdir()
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "temporary"))
     monkeypatch.setattr(child, "MOST_OUTPUT", MOST_OUTPUT)
+    monkeypatch.setattr(gmsh_process, "MOST_FILES", MOST_OUTPUT)
     token = uuid.uuid4().hex
     monkeypatch.setenv("HEXCON_TEST", token)
     gmsh_process.gmsh_python.cache_clear()

@@ -4,6 +4,7 @@
 Each child leads a session of its own, so that one call ends its whole group; keeper.py does that if this process is
 killed. What it prints is read through a pipe and kept within bounds.
 """
+import contextlib
 import os
 import shutil
 import subprocess
@@ -42,7 +43,8 @@ class Ended:
         return "\n".join(errors[-most:]) or "it said nothing"
 
 
-def run(command, program, *, folder=None, environment=None, timeout=None, limit=None, look=None):
+def run(command, program, *, folder=None, environment=None, timeout=None, limit=None, look=None,
+        most_files=None):
     """Run a command to its end; returns Ended, whatever its status.
 
     command      list of str; the first is found as Popen does
@@ -50,15 +52,16 @@ def run(command, program, *, folder=None, environment=None, timeout=None, limit=
     folder       working folder;  environment: dict, None: this process's
     timeout      seconds, None: no limit;  limit: when they are over by the monotonic clock, None: counted from now
     look         callable () asked every POLL seconds; whatever it raises ends the child and comes out here
+    most_files   bytes that the files right in the working folder may take, None: as many as there is room for
     When this returns or raises, the child and all of its session are gone.
-    Raises ToolError: TOOL_MISSING (it cannot be started), TOOL_TIMEOUT, TOOL_FAILED (it prints without end).
+    Raises ToolError: TOOL_MISSING (it cannot be started), TOOL_TIMEOUT, TOOL_FAILED (it prints, or writes, without end).
     """
     if limit is None and timeout is not None:
         limit = time.monotonic() + timeout
     child = _Child(command, folder, environment)
     try:
         child.begin(program)
-        child.watch(program, limit, timeout, look)
+        child.watch(program, limit, timeout, look, most_files)
     finally:
         child.end()
     return Ended(child.process.returncode, child.output())
@@ -108,7 +111,7 @@ class _Child(threading.Thread):
         if self._fault is not None:
             raise ToolError(f"cannot start {program} ({self._command[0]}): {self._fault}", FaultCode.TOOL_MISSING)
 
-    def watch(self, program, limit, timeout, look):
+    def watch(self, program, limit, timeout, look, most_files):
         """Wait for the end; raises as run."""
         pause = 0.0005
         while not self._has_ended():
@@ -120,8 +123,12 @@ class _Child(threading.Thread):
                                 + self._head[:200].decode("utf-8", "replace"), FaultCode.TOOL_FAILED)
             time.sleep(pause)
             pause = min(2 * pause, POLL)
-            if look is not None and pause == POLL:
+            if pause < POLL:
+                continue
+            if look is not None:
                 look()
+            if most_files is not None and _size_of(self._folder) > most_files:
+                raise ToolError(f"{program} wrote more than {most_files >> 20} MB and was ended", FaultCode.TOOL_FAILED)
 
     def _has_ended(self):
         """True where it is over. It is not yet waited for: until then its group's number is no other's."""
@@ -149,6 +156,17 @@ class _Child(threading.Thread):
     def output(self):
         gap = b"\n[...]\n" if self._count > len(self._head) + len(self._tail) else b""
         return (bytes(self._head) + gap + bytes(self._tail)).decode("utf-8", "replace")
+
+
+def _size_of(folder):
+    """Bytes on disk of the files right in a folder."""
+    total = 0
+    with contextlib.suppress(OSError), os.scandir(folder) as entries:
+        for entry in entries:
+            with contextlib.suppress(OSError):      # it may go meanwhile
+                found = entry.stat(follow_symlinks=False)
+                total += 512 * found.st_blocks if hasattr(found, "st_blocks") else found.st_size
+    return total
 
 
 # ------------------------------------------------------------------------------ Python as a child

@@ -18,6 +18,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 WORKERS = [os.path.join(HERE, name) for name in ("quads", "tetrahedra")]     # where the workers' packages are
 # HXT's work depends on the order of addresses in memory: with these it is nearly always the same from run to run.
 SAME_MEMORY = {"PYTHONHASHSEED": "0", "MALLOC_MMAP_THRESHOLD_": "1000000000", "MALLOC_TOP_PAD_": "268435456"}
+MOST_FILES = 8 << 30    # bytes in the worker's folder: ten times what the largest surface takes
 ASKING = 60     # seconds in which an interpreter must have imported gmsh
 CRASHES = 30    # so often a job is started again without the step that killed it
 
@@ -98,7 +99,7 @@ def _run(python, job_path, folder, worker, limit, timeout, progress):
     # without news too, so that it can cancel
     look = progress and (lambda: progress(*answers.read_progress(os.path.join(folder, "progress.txt"))))
     return child.run([python, "-m", worker, job_path], "gmsh", folder=folder, environment=environment,
-                     timeout=timeout, limit=limit, look=look)
+                     timeout=timeout, limit=limit, look=look, most_files=MOST_FILES)
 
 
 def _result(folder, ended, worker):

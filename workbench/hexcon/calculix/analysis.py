@@ -16,7 +16,7 @@ from . import constraints as make
 from . import frd
 from .freecad_deck import correct_loads
 from .judging import check_loads
-from .loads import force_vector
+from .loads import force_vector, pressure_value
 from .material import material_of
 from .result import Result
 from .runner import find_ccx, run_ccx
@@ -43,14 +43,15 @@ def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pres
     TOOL_TIMEOUT, FILE_IO, BAD_OPTION, BAD_MESH, TOPOLOGICAL_MESH.
     """
     refuse_topological(mesh, allow_topological)
-    check_loads(force, pressure)
-    force, pressure = _without_zeros(force), dict(pressure or {})
+    given = force, pressure
+    force, pressure = _without_zeros(force), {name: pressure_value(name, value) for name, value in (pressure or {}).items()}
     material = material_of(material)
     faces = [[make.face_name(solid, name) for name in group]
              for group in (fixed, force, pressure)]
     if not faces[0]:
         raise ToolError("nothing is held: name at least one fixed face",
                         FaultCode.BAD_OPTION)
+    check_loads(*given)
     program = find_ccx(freecad_compat.ccx_preference())
     folder = workdir or disk.new_folder("hexcon-fem-")
     if not os.path.isdir(folder):

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A full linear static deck without FreeCAD."""
 import io
-import math
 
 import numpy as np
 
@@ -12,7 +11,7 @@ from hexcon.files.text import write_list, write_rows
 from hexcon.topological import refuse_topological
 
 from .judging import check_loads
-from .loads import face_force, force_vector
+from .loads import face_force, force_vector, pressure_value
 from .material import material_of
 
 
@@ -99,11 +98,10 @@ def write_pressures(out, elements, pressure, hex_ids=None, sides=None):
     label of each row of hexahedron.FACES, 1..6 if None."""
     sides = np.arange(1, 7) if sides is None else sides
     for name, value in (pressure or {}).items():
-        if not math.isfinite(value):
-            raise ToolError(f"pressure on {name}: a finite number is needed", FaultCode.BAD_OPTION)
+        value = pressure_value(name, value)
         rows = elements.quads_of_face(face_number(name))
         hexes = elements.hex_of_quad[rows]
         numbers = hexes + 1 if hex_ids is None else hex_ids[hexes]
         out.write(f"** pressure on {name}\n*DLOAD\n")
-        write_rows(out, f"%d, P%d, {float(value)!r}\n",
+        write_rows(out, f"%d, P%d, {value!r}\n",
                    np.column_stack([numbers, sides[elements.side_of_quad[rows]]]))

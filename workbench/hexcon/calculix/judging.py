@@ -12,6 +12,7 @@ import numpy as np
 from hexcon.errors import FaultCode, ToolError
 
 from . import frd
+from .loads import force_vector, pressure_value
 
 _MAX_LINES = 20
 _MAX_IDS = 20
@@ -22,10 +23,12 @@ _ELEMENT = re.compile(r"(?:in|to) element\s+(\d+)")
 def check_loads(force, pressure, prescribed=None):
     """Raise BAD_OPTION where every load is zero, or there is none: all results would be zero, and look like an answer.
 
-    force {face: (3,)}, pressure {face: MPa}; prescribed: displacements, which are loads even if they are zero
+    force {face: (3,)}, pressure {face: MPa}; prescribed: displacements, which are loads even if they are zero.
+    Raises ToolError BAD_OPTION also for what is no force, or no pressure.
     """
-    loads = [np.asarray(value, float) for value in [*(force or {}).values(), *(pressure or {}).values()]]
-    if prescribed is not None or any(load.any() for load in loads):
+    loads = [*(force_vector(name, value).any() for name, value in (force or {}).items()),
+             *(pressure_value(name, value) != 0.0 for name, value in (pressure or {}).items())]
+    if prescribed is not None or any(loads):
         return
     names = ", ".join(map(str, [*(force or {}), *(pressure or {})]))
     raise ToolError((f"the loads on {names} are all zero" if names else "no load is given")

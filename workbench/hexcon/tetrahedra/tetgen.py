@@ -40,7 +40,8 @@ def by_tetgen(program, points, triangles, timeout, progress):
         path = os.path.join(folder, "surface.poly")
         _write(path, points, triangles)
         look = progress and (lambda: progress("start", 0.0))
-        ended = child.run([program, OPTIONS, "surface.poly"], "tetgen", folder=folder, timeout=timeout, look=look)
+        ended = child.run([program, OPTIONS, "surface.poly"], "tetgen", folder=folder, timeout=timeout, look=look,
+                          most_files=8 * MOST)
         if ended.status != 0:
             raise _gave_up(ended)
         try:
