@@ -19,8 +19,6 @@ from .errors import FaultCode, ToolError
 POLL = 0.03             # seconds between looks at a child
 KEPT = 8 << 20          # bytes of its output kept from the beginning, and as many from the end
 MOST_OUTPUT = 256 << 20     # bytes; no program of ours says a hundredth of it
-
-
 _TRACEBACK = "Traceback (most recent call last)"
 
 
@@ -114,7 +112,7 @@ class _Child(threading.Thread):
     def watch(self, program, limit, timeout, look, most_files):
         """Wait for the end; raises as run."""
         pause = 0.0005
-        while not self._has_ended():
+        while self.process.poll() is None:
             if limit is not None and time.monotonic() > limit:
                 raise ToolError(f"{program} did not finish within {timeout:g} seconds; give it more time",
                                 FaultCode.TOOL_TIMEOUT)
@@ -130,23 +128,14 @@ class _Child(threading.Thread):
             if most_files is not None and _size_of(self._folder) > most_files:
                 raise ToolError(f"{program} wrote more than {most_files >> 20} MB and was ended", FaultCode.TOOL_FAILED)
 
-    def _has_ended(self):
-        """True where it is over. It is not yet waited for: until then its group's number is no other's."""
-        if not hasattr(os, "waitid"):
-            return self.process.poll() is not None
-        try:
-            return os.waitid(os.P_PID, self.process.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None
-        except ChildProcessError:       # somebody else has waited for it
-            return True
-
     def end(self):
-        """End the group; afterwards nothing of it is there."""
+        """End what is left of the group; afterwards nothing of it is there."""
         if self.ident is not None:
             self._known.wait()
         if self.process is None:
             return
         try:
-            keeper.end_group(self.process.pid, 0.0 if self._has_ended() else keeper.GRACE)
+            keeper.end_group(self.process.pid, self.process.poll)
         except AttributeError:      # no process groups
             self.process.kill()
         self.process.wait()
@@ -178,7 +167,10 @@ def python_environment(python, folders=(), **more):
     PYTHONPATH, but for its relative entries (an empty one is the working folder), and PYTHONHOME go along only to the
     interpreter that they were set for: this one.
     """
-    own = sys.executable and shutil.which(python) == shutil.which(sys.executable)
+    try:
+        own = os.path.samefile(shutil.which(python) or python, sys.executable)
+    except (OSError, TypeError):        # it is not there, or this process does not know its own program
+        own = False
     given = os.environ.get("PYTHONPATH", "").split(os.pathsep) if own else []
     left_out = {"PYTHONPATH", "PYTHONINSPECT", "PYTHONSTARTUP"} | (set() if own else {"PYTHONHOME"})
     kept = {name: value for name, value in os.environ.items() if name not in left_out}

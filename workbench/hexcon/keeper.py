@@ -16,7 +16,7 @@ import sys
 import threading
 import time
 
-GRACE = 0.1         # seconds that a group has to end in order
+GRACE = 0.2         # seconds that a group has to end in order
 PATIENCE = 5.0      # seconds in which a folder must be gone: what was killed may write into it for a moment
 
 
@@ -78,13 +78,12 @@ class _Keeper:
         with self._lock:
             self._forget()
 
-
     def after_fork(self):
         """A fork holds nothing, and must not keep its parent's pipe open."""
         process = self._process
         self.__init__()
         if process is not None:
-            os.close(process.stdin.fileno())
+            process.stdin.close()
             process.returncode = 0      # it is not this process's child
 
 
@@ -124,24 +123,28 @@ def _told(stream):
                 held.pop(line[1:], None)
 
 
-def end_group(number, grace):
-    """End a process group: by SIGTERM, and after so many seconds, if any, by SIGKILL.
+def end_group(number, reap=lambda: None):
+    """End a process group: by SIGTERM, and what is there after GRACE seconds by SIGKILL.
 
-    Xvfb needs them, to take away its lock and socket."""
-    signals = [signal.SIGTERM, signal.SIGKILL] if grace else [signal.SIGKILL]
-    for one in signals:
-        try:
-            os.killpg(number, one)
-        except OSError:     # all gone
-            return
-        if one is not signal.SIGKILL:
-            time.sleep(grace)
+    reap: waits for its leader without blocking, where that is this process's child: until then it counts as there.
+    Xvfb needs the time, to take away its lock and socket.
+    """
+    limit = time.monotonic() + GRACE
+    try:
+        os.killpg(number, signal.SIGTERM)
+        while time.monotonic() < limit:
+            time.sleep(0.002)
+            reap()
+            os.killpg(number, 0)
+        os.killpg(number, signal.SIGKILL)
+    except OSError:     # all gone
+        pass
 
 
 def _clean_up(held):
     for record in held:
         if record[:1] == b"g":
-            end_group(int(record[1:]), GRACE)
+            end_group(int(record[1:]))
     for record in held:
         if record[:1] == b"f":
             _remove(os.fsdecode(record[1:]))
