@@ -236,6 +236,14 @@ def frd(disp=DISPLACED, stress=STRESSED, end=" 9999\n", count=None):
     return text("deck.frd", words + end)
 
 
+def at_points(line):
+    """Good results, and a line of stresses at an integration point beside them."""
+    def write(folder):
+        frd()(folder)
+        text("deck.dat", f"x\n\n stresses (elem) for set\n\n {line}\n")(folder)
+    return write
+
+
 # CalculiX: `ccx -i deck`, in the folder of the deck.
 CCX = {
     "good results": (frd(), FROM_TETGEN, None, ""),
@@ -266,10 +274,8 @@ CCX = {
     "an empty file": (text("deck.frd", ""), FROM_TETGEN, "TOOL_FAILED", "end before their time"),
     "rubbish": (text("deck.frd", b"\n -4  DISP    " + bytes(range(256)) + b" 9999\n"), FROM_TETGEN, "TOOL_FAILED", ""),
     "old results": (frd(), FROM_TETGEN + "; touch -d 2001-01-01 deck.frd", "TOOL_FAILED", "older than the deck"),
-    "rubbish at the points": (lambda folder: (frd()(folder), text("deck.dat", "x\n\n stresses (elem) for set\n\n 1 1 1 1 1 1 1 x\n")(folder)),
-                              FROM_TETGEN, "TOOL_FAILED", "deck.dat is damaged"),
-    "NaN at the points": (lambda folder: (frd()(folder), text("deck.dat", "x\n\n stresses (elem) for set\n\n 1 1 NaN 1 1 1 1 1\n")(folder)),
-                          FROM_TETGEN, "TOOL_FAILED", "not finite"),
+    "rubbish at the points": (at_points("1 1 1 1 1 1 1 x"), FROM_TETGEN, "TOOL_FAILED", "deck.dat is damaged"),
+    "NaN at the points": (at_points("1 1 NaN 1 1 1 1 1"), FROM_TETGEN, "TOOL_FAILED", "not finite"),
 }
 
 # freecadcmd: `freecadcmd in_freecad.py -- $folder mesh ...`

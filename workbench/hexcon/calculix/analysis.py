@@ -44,7 +44,8 @@ def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pres
     """
     refuse_topological(mesh, allow_topological)
     given = force, pressure
-    force, pressure = _without_zeros(force), {name: pressure_value(name, value) for name, value in (pressure or {}).items()}
+    force = _without_zeros(force)
+    pressure = {name: pressure_value(name, value) for name, value in (pressure or {}).items()}
     material = material_of(material)
     faces = [[make.face_name(solid, name) for name in group]
              for group in (fixed, force, pressure)]
