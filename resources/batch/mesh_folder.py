@@ -13,17 +13,15 @@ import sys
 import traceback
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path[:0] = [ROOT, os.path.join(ROOT, "workbench")]
+sys.path[:] = [ROOT, os.path.join(ROOT, "workbench"), *filter(os.path.isabs, sys.path)]
 
 
 def run():
     """Exit status of the batch."""
     try:
-        from hexcon.batch import main
+        from hexcon.batch import program
         given = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else sys.argv[2:]
-        return main(given)
-    except SystemExit as stop:  # argparse: usage, or --help
-        return stop.code if isinstance(stop.code, int) else 2
+        return program(given)
     except BaseException:
         traceback.print_exc()
         return 1

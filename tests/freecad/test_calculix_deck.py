@@ -11,11 +11,13 @@ from hex_grids import block, cylinder, distorted
 
 from hexcon import calculix
 from hexcon.calculix.loads import face_force, node_areas
-from hexcon.calculix.runner import error_lines
+from hexcon.calculix.judging import error_lines
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh import elements_of
 
 GRADIENT = np.array([(2e-4, 1e-4, -3e-5), (5e-5, -1e-4, 8e-5), (-6e-5, 4e-5, 3e-4)])
+
+PULL = {"Face2": (1.0, 0.0, 0.0)}
 
 
 def exact_stress(young=210000.0, poisson=0.3):
@@ -118,14 +120,14 @@ def test_forces_on_two_faces_add_up_on_their_common_edge():
 
 
 def test_failure_in_ccx_words():
-    deck = calculix.static_deck(block(2, 1, 1))
+    deck = calculix.static_deck(block(2, 1, 1), force=PULL)
     with pytest.raises(ToolError, match="no material was assigned") as raised:
         calculix.solve_inp(deck.replace("*SOLID SECTION, ELSET=EALL, MATERIAL=SOLID\n", ""))
     assert raised.value.code is FaultCode.TOOL_FAILED
     mesh = block(2, 1, 1)
     mesh.hexes[1] = mesh.hexes[1, [4, 5, 6, 7, 0, 1, 2, 3]]
     with pytest.raises(ToolError, match="nonpositive jacobian") as raised:
-        calculix.solve_inp(calculix.static_deck(mesh))
+        calculix.solve_inp(calculix.static_deck(mesh, force=PULL))
     assert raised.value.elements == [1]
 
 
@@ -139,19 +141,19 @@ def fake_ccx(folder, script):
 def test_error_with_exit_status_zero(tmp_path):
     ccx = fake_ccx(tmp_path, "echo ' *ERROR reading *STEP:'; echo '   so it is'; exit 0\n")
     with pytest.raises(ToolError, match="so it is"):
-        calculix.solve_inp(calculix.static_deck(block(1, 1, 1)), ccx=ccx)
+        calculix.solve_inp(calculix.static_deck(block(1, 1, 1), force=PULL), ccx=ccx)
 
 
 def test_no_results_and_no_words(tmp_path):
     ccx = fake_ccx(tmp_path, "echo 'Segmentation something'; exit 0\n")
     with pytest.raises(ToolError, match="Segmentation something"):
-        calculix.solve_inp(calculix.static_deck(block(1, 1, 1)), ccx=ccx)
+        calculix.solve_inp(calculix.static_deck(block(1, 1, 1), force=PULL), ccx=ccx)
 
 
 def test_time_limit_and_missing_program(tmp_path, monkeypatch):
     ccx = fake_ccx(tmp_path, "exec sleep 600\n")
     with pytest.raises(ToolError) as raised:
-        calculix.solve_inp(calculix.static_deck(block(1, 1, 1)), ccx=ccx, timeout=0.2)
+        calculix.solve_inp(calculix.static_deck(block(1, 1, 1), force=PULL), ccx=ccx, timeout=0.2)
     assert raised.value.code is FaultCode.TOOL_TIMEOUT
     with pytest.raises(ToolError) as raised:
         calculix.solve_inp("*STEP\n", ccx=str(tmp_path / "none"))
@@ -164,7 +166,7 @@ def test_time_limit_and_missing_program(tmp_path, monkeypatch):
 
 
 def test_files_of_a_run(tmp_path):
-    calculix.solve_inp(calculix.static_deck(block(1, 1, 1)), workdir=str(tmp_path))
+    calculix.solve_inp(calculix.static_deck(block(1, 1, 1), force=PULL), workdir=str(tmp_path))
     assert {"deck.inp", "deck.frd"} <= set(os.listdir(tmp_path))
     with pytest.raises(ToolError) as raised:
         calculix.solve_inp(tmp_path / "none.inp")
@@ -178,6 +180,29 @@ def test_nothing_held_is_refused():
     with pytest.raises(ToolError, match="held") as raised:
         calculix.static_deck(block(1, 1, 1), fixed=())
     assert raised.value.code is FaultCode.BAD_OPTION
+
+
+@pytest.mark.parametrize("loads,words", [({}, "no load is given"), ({"force": {"Face2": (0, 0, 0)}}, "Face2 are all zero"),
+                                         ({"pressure": {"Face3": 0.0}}, "Face3 are all zero"),
+                                         ({"force": {"Face2": "much"}}, "three finite"),
+                                         ({"pressure": {"Face3": "much"}}, "a finite number")])
+def test_nothing_loaded_is_refused(loads, words):
+    with pytest.raises(ToolError, match=words) as raised:
+        calculix.static_deck(block(1, 1, 1), **loads)
+    assert raised.value.code is FaultCode.BAD_OPTION
+
+
+@pytest.mark.parametrize("sets,held,words", [
+    ("*NSET,NSET=Held\n1,\n2,\n", "Held,1", None), ("*NSET,NSET=Held\n", "Held,1", "node set HELD has no nodes"),
+    ("", "Held,1", "HELD has no nodes"), ("", "7,1", None), ("*NSET,NSET=Other\n1\n", "", "holds nothing")])
+def test_a_deck_that_holds_nothing(sets, held, words):
+    from hexcon.calculix.freecad_deck import _cards, check_held
+    cards = _cards(f"*NODE\n1,0,0,0\n{sets}*STEP\n*BOUNDARY\n{held}\n*END STEP\n")
+    if words is None:
+        check_held(cards)
+        return
+    with pytest.raises(ToolError, match=words):
+        check_held(cards)
 
 
 def test_error_lines_join_continuations():

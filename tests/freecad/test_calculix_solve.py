@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Solving through FreeCAD's FEM workbench."""
+import os
 import pathlib
 import tempfile
 
@@ -7,12 +8,13 @@ import numpy as np
 import pytest
 from hex_grids import block, cylinder, distorted
 
-from hexcon import calculix, femmesh
+from hexcon import calculix, femmesh, keeper
 from hexcon.calculix.freecad_deck import nodal_loads
 from hexcon.errors import FaultCode, ToolError
 
 pytestmark = pytest.mark.usefixtures("freecad")
 
+PULL = {"Face2": (1.0, 0.0, 0.0)}
 NO_POISSON = {"name": "Bar", "young": 210000.0, "poisson": 0.0}
 
 
@@ -39,6 +41,21 @@ def test_one_hex(doc, box_in, order):
     assert np.allclose(result.displacements, right, atol=1e-9)
     assert np.allclose(result.von_mises, 21.0, rtol=1e-4)
     assert ("C3D20" if order == 2 else "C3D8,") in pathlib.Path(result.inp_path).read_text()
+
+
+def test_the_folder_of_a_run_outlives_the_process(doc, box_in):
+    """It holds the deck and what CalculiX said: the keeper, which removes temporary folders, has let go of it."""
+    result = calculix.solve(doc, block(1, 1, 1, (2.0, 1.0, 1.0)), box_in((2.0, 1.0, 1.0)), force={"Face2": (0, 0, 1.0)})
+    folder = os.path.dirname(result.inp_path)
+    assert os.path.basename(folder).startswith("hexcon-fem-")
+    assert not any(os.fsencode(folder) in record for record in keeper._keeper._held)
+
+
+def test_nothing_loaded_is_refused(doc, box_in):
+    before = len(doc.Objects)
+    with pytest.raises(ToolError, match="no load is given") as raised:
+        calculix.solve(doc, block(1, 1, 1), box_in((1.0, 1.0, 1.0)))
+    assert raised.value.code is FaultCode.BAD_OPTION and len(doc.Objects) == before + 1
 
 
 def test_results_are_in_the_document(freecad, doc, box_in, tmp_path):
@@ -213,14 +230,14 @@ def test_options_that_make_no_sense(doc, box_in, monkeypatch, tmp_path):
              (dict(material={"young": 1.0}), FaultCode.BAD_OPTION, "Poisson"),
              (dict(material={"young": "5 bananas", "poisson": 0}), FaultCode.BAD_OPTION,
               "bananas"),
-             (dict(workdir=str(tmp_path / "none")), FaultCode.FILE_IO, "none")]
+             (dict(workdir=str(tmp_path / "none"), force=PULL), FaultCode.FILE_IO, "none")]
     for options, code, word in cases:
         with pytest.raises(ToolError, match=word) as raised:
             calculix.solve(doc, mesh, solid, **options)
         assert raised.value.code is code
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(ToolError, match="apt install calculix-ccx") as raised:
-        calculix.solve(doc, mesh, solid)
+        calculix.solve(doc, mesh, solid, force=PULL)
     assert raised.value.code is FaultCode.TOOL_MISSING
     assert [o.Name for o in doc.Objects] == ["Box"]
 

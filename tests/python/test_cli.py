@@ -143,11 +143,11 @@ FAULTS = {
     "ending of results": (("solve", "none.inp", "--fixed", 1, "-o", "x.inp"), "FILE_FORMAT"),
     "folder": (("mesh", "none.step", "-o", "none/x.inp"), "FILE_IO"),
     "over the input": (("mesh", "box.vtu", "-o", "./box.vtu"), "BAD_OPTION"),
-    "no such face": (("solve", "box.vtu", "--fixed", "Face9"), "BAD_OPTION"),
-    "no face": (("solve", "box.vtu", "--fixed", "top"), "BAD_OPTION"),
+    "no such face": (("solve", "box.vtu", "--fixed", "Face9", "--force", "Face2=0,0,1"), "BAD_OPTION"),
+    "no face": (("solve", "box.vtu", "--fixed", "top", "--force", "Face2=0,0,1"), "BAD_OPTION"),
     "two forces": (("solve", "box.vtu", "--fixed", 1, "--force", "Face2=0,0,1", "--force",
                     "face2=0,1,0"), "BAD_OPTION"),
-    "material": (("solve", "box.vtu", "--fixed", 1, "--young", -5), "BAD_OPTION"),
+    "material": (("solve", "box.vtu", "--fixed", 1, "--young", -5, "--force", "Face2=0,0,1"), "BAD_OPTION"),
     "not hexes": (("check", "quads.obj"), "FILE_FORMAT"),
     "other surface": (("check", "box.vtu", "--surface", "quads.obj"), "FILE_FORMAT"),
     "odd": (("mesh", "odd.obj", "-o", "x.inp"), "ODD"),
@@ -203,8 +203,8 @@ def test_interrupt(monkeypatch, capsys):
     def interrupted(*_):
         raise KeyboardInterrupt
     monkeypatch.setattr(cli.commands, "read_mesh", interrupted)
-    assert cli.main(["check", "x.inp"]) == 130
-    assert "interrupted" in capsys.readouterr().err
+    assert cli.program(["check", "x.inp"]) == 130
+    assert "ended by SIGINT" in capsys.readouterr().err
 
 
 def test_check_against_a_surface_numbered_otherwise(wedge, tmp_path):
@@ -303,7 +303,7 @@ def test_a_link_on_the_path_and_the_module(tmp_path):
     surface = put(tmp_path / "s.obj", *surface_of(block(1, 1, 1)))
     assert hexcon("info", surface, program=str(tmp_path / "hexcon")).returncode == 0
     path = os.pathsep.join([str(ROOT), str(ROOT / "workbench")])
-    done = hexcon("-m", "hexcon", "info", surface, program=sys.executable, PYTHONPATH=path)
+    done = hexcon("-P", "-m", "hexcon", "info", surface, program=sys.executable, PYTHONPATH=path)
     assert "6 quads (even)" in done.stdout
 
 

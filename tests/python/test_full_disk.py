@@ -28,7 +28,8 @@ import hexcon
 import numpy
 from hexcon.calculix import solve_inp, static_deck
 from hexcon.files.surfaces import write_surface
-from hexcon.pictures import render
+from hexcon import example
+from hexcon.pictures import gallery, render
 folder = {folder!r}
 tempfile.tempdir = os.path.join(folder, "temporary")
 mesh = block(9, 9, 9)
@@ -43,6 +44,7 @@ calls = {{"write " + ending: lambda ending=ending: files.write(mesh, os.path.joi
 calls.update({{"surface " + ending: lambda ending=ending: write_surface(many, os.path.join(folder, "quads" + ending))
               for ending in (".obj", ".msh", ".vtu", ".mesh")}})
 calls["picture"] = lambda: render(mesh, os.path.join(folder, "mesh.png"))
+calls["gallery"] = lambda: gallery.stages(example("schneiders"), None, os.path.join(folder, "new", "pictures"))
 calls["solve"] = lambda: solve_inp(deck)
 calls["gmsh"] = lambda: hexcon.mesh_solid({solid!r}, 1.0)
 told = {{}}
@@ -81,7 +83,7 @@ def told(tmp_path_factory):
 
 def test_every_writer_names_the_cause(told):
     answers, _, _ = told
-    assert len(answers) == 14
+    assert len(answers) == 15
     for name, (code, words) in answers.items():
         assert code == "FILE_IO" and "no space left on the disk" in words, (name, code, words)
 

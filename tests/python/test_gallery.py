@@ -133,7 +133,11 @@ def test_a_mesh_without_stages_is_one(tmp_path, order):
 def jobs(monkeypatch):
     """What would be drawn, by file name."""
     found = {}
-    monkeypatch.setattr(gallery, "draw", lambda program, job, path: found.update({pathlib.Path(path).stem: job}))
+
+    def draw(program, job, path):
+        found[pathlib.Path(path).stem] = job
+        pathlib.Path(path).touch()
+    monkeypatch.setattr(gallery, "draw", draw)
     return found
 
 

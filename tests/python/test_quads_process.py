@@ -10,7 +10,7 @@ import threading
 import numpy as np
 import pytest
 
-from hexcon import gmsh_process
+from hexcon import child, gmsh_process, keeper
 from hexcon.errors import FaultCode, ToolError
 from hexcon.quads import METHODS, surface_from_solid
 
@@ -96,7 +96,9 @@ def test_progress_and_cancel(ball, temporary):
 
 
 def test_interrupt_ends_the_subprocess(ball, temporary):
-    """KeyboardInterrupt comes out, and no process stays."""
+    """KeyboardInterrupt comes out, and no process stays but the keeper, which is there already."""
+    keeper.hold_folder("/none")
+    keeper.let_folder_go("/none")
     before = signal.signal(signal.SIGINT, signal.default_int_handler)   # a background job's shell has it ignored
     started = []
     original = subprocess.Popen
@@ -175,12 +177,12 @@ def test_crashed_step_is_left_out(ball, monkeypatch):
     real, runs = gmsh_process._run, []
 
     def run(python, job_path, folder, *rest):
-        code = real(python, job_path, folder, *rest)
-        runs.append(code)
+        ended = real(python, job_path, folder, *rest)
+        runs.append(ended)
         if len(runs) == 1:
             os.remove(os.path.join(folder, "result.npz"))
-            return -11
-        return code
+            return child.Ended(-11, "")
+        return ended
     monkeypatch.setattr(gmsh_process, "_run", run)
     surface = surface_from_solid(ball, 2.0, "subdivided")
     assert len(runs) == 2 and any("1.94" in note for note in surface.notes)

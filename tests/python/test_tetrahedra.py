@@ -8,7 +8,7 @@ import pytest
 from scipy.spatial import ConvexHull
 from surfaces import box
 
-from hexcon import gmsh_process
+from hexcon import child, gmsh_process
 from hexcon.errors import FaultCode, ToolError
 from hexcon.tetrahedra import tetrahedralise
 from hexcon.tetrahedra.check import fault_of, positive
@@ -183,12 +183,12 @@ def test_crash_of_one_algorithm_leaves_the_other(monkeypatch):
     real, runs = gmsh_process._run, []
 
     def run(python, job_path, folder, *rest):
-        code = real(python, job_path, folder, *rest)
-        runs.append(code)
+        ended = real(python, job_path, folder, *rest)
+        runs.append(ended)
         if len(runs) == 1:
             os.remove(os.path.join(folder, "result.npz"))
-            return -11
-        return code
+            return child.Ended(-11, "")
+        return ended
     monkeypatch.setattr(gmsh_process, "_run", run)
     assert len(tetrahedralise(*SURFACES["ball"])[1])
     assert len(runs) == 2

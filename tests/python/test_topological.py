@@ -113,12 +113,15 @@ def test_other_meshes_know_nothing_of_it(tmp_path, override):
     assert "TOPOLOGICAL" not in (tmp_path / "x.inp").read_text()
 
 
+PULL = {"Face2": (1.0, 0.0, 0.0)}
+
+
 def test_a_full_deck():
     mesh = topological(block(2, 1, 1))
     refused(calculix.static_deck, mesh)
-    assert "** TOPOLOGICAL" in calculix.static_deck(mesh, allow_topological=True)
+    assert "** TOPOLOGICAL" in calculix.static_deck(mesh, force=PULL, allow_topological=True)
     mesh.topological = False
-    assert "TOPOLOGICAL" not in calculix.static_deck(mesh)
+    assert "TOPOLOGICAL" not in calculix.static_deck(mesh, force=PULL)
 
 
 # ---------------------------------------------------------------------------------------- meshing
@@ -192,7 +195,7 @@ def test_pairing_is_passed_on_only_where_it_is_asked_for(monkeypatch, given, tmp
 
 
 def test_a_solid_is_not_solved(pretended, capsys):
-    command = ("solve", WEDGE, "--size", 8, "--fixed", "Face1", "--method", "pyramid")
+    command = ("solve", WEDGE, "--size", 8, "--fixed", "Face1", "--force", "Face2=0,0,-1", "--method", "pyramid")
     status, _, errors = run(capsys, *command)
     assert status == 1 and "[TOPOLOGICAL_MESH]" in errors and not pretended
     status, said, errors = run(capsys, *command, "--allow-topological", "--json")
@@ -205,7 +208,7 @@ def test_a_file_without_the_mark_is_not_solved_either(tmp_path, capsys):
     mesh = topological(block(3, 1, 1))
     mesh.points[[1, 2]] = mesh.points[[2, 1]]  # no hex is positive any more
     hexcon.write(mesh, tmp_path / "x.vtu")
-    command = ("solve", tmp_path / "x.vtu", "--fixed", "Face1", "--json")
+    command = ("solve", tmp_path / "x.vtu", "--fixed", "Face1", "--force", "Face2=0,0,-1", "--json")
     status, said, _ = run(capsys, *command)
     told = json.loads(said)
     assert status == 1 and told["code"] == "BAD_MESH" and told["elements"]

@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""python3 -m hexcon"""
+"""python3 -P -m hexcon; or this file as a program, as bin/hexcon runs it."""
+import signal
 import sys
 
-from hexcon.cli import main
+if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+    signal.signal(signal.SIGINT, signal.SIG_DFL)    # while modules load there is nothing to clean up, nor to explain
 
-sys.exit(main())
+from hexcon.cli import program  # noqa: E402
+
+sys.exit(program())

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Hex meshes for a folder of parts: one line a part, a summary, and no failure stops the rest."""
-import argparse
 import os
-import sys
 import time
 import traceback
 
 from hexcon_native import METHOD_TABLE, check_options
 
 from .chatter import chatter_to
+from .cli import terminal
 from .cli.arguments import LAYERS_HELP, PAIRING_HELP, PAIRINGS, methods_help
 from .cli.commands import SOLID_ENDINGS, pairing_option
+from .cli.terminal import complain, say
 from .errors import FaultCode, HexconError, ToolError
 from .files import WRITERS, check_method_for, write
 from .meshing import mesh_solid
@@ -97,9 +97,10 @@ def mesh_folder(folder, out, size, endings=(".inp",), tell=print, **options):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(
+    parser = terminal.Parser(
         prog="mesh_folder", description="Hex meshes for every solid in a folder.",
-        epilog="exit status: 0 all done; 1 a part failed, or there was none; 2 wrong usage")
+        epilog="exit status: 0 all done; 1 a part failed, or there was none; 2 wrong usage; 129, 130, 143 ended by "
+               "SIGHUP, SIGINT, SIGTERM; 141 nobody read the lines to their end")
     parser.add_argument("folder")
     parser.add_argument("--out", help="where results go (default: FOLDER/hexcon)")
     parser.add_argument("--size", type=float, required=True, help="wanted edge length, mm")
@@ -119,11 +120,16 @@ def _parser():
     return parser
 
 
+def program(arguments=None):
+    """The batch as a program, with its streams and signals; returns the exit status."""
+    return terminal.run(lambda: main(arguments), "mesh_folder")
+
+
 def main(arguments=None):
-    """The batch as a program; returns the exit status."""
+    """The batch; returns the exit status. Raises KeyboardInterrupt."""
     options = _parser().parse_args(arguments)
     if not os.path.isdir(options.folder):
-        print(f"mesh_folder: there is no folder {options.folder}", file=sys.stderr)
+        complain(f"mesh_folder: there is no folder {options.folder}")
         return EXIT_USAGE
     try:
         endings = tuple(options.write or (".inp",))
@@ -133,11 +139,11 @@ def main(arguments=None):
                          options.allow_topological, BY_OPTION)
         done, failed = mesh_folder(
             options.folder, options.out or os.path.join(options.folder, "hexcon"), options.size,
-            endings, lambda line: print(line, flush=True),
+            endings, say,
             order=options.order, surface_method=options.surface_method, method=options.method,
             layers=options.layers, allow_topological=options.allow_topological,
             **pairing_option(options.pairing))
     except HexconError as fault:
-        print(f"mesh_folder: {fault}", file=sys.stderr)
+        complain(f"mesh_folder: {fault}")
         return EXIT_USAGE
     return EXIT_DONE if done and not failed else EXIT_SOME_FAILED

@@ -4,12 +4,17 @@
 Programs that write for us (gmsh, CalculiX, VTK, FreeCAD) report a full disk badly or not at all,
 so after a fault of theirs the disk itself is asked.
 """
+import contextlib
 import errno
 import os
+import secrets
 import shutil
 import tempfile
-from contextlib import contextmanager
+import zipfile
 
+import numpy as np
+
+from . import keeper
 from .errors import FaultCode, HexconError, ToolError
 
 FULL = (errno.ENOSPC, errno.EDQUOT)
@@ -32,7 +37,7 @@ def reason(error, folder):
     return error.strerror or str(error)
 
 
-@contextmanager
+@contextlib.contextmanager
 def naming(folder, what):
     """Inside, OSError, and on a full disk whatever a program led to, become ToolError(FILE_IO):
     "cannot <what>: why"."""
@@ -50,18 +55,43 @@ def naming(folder, what):
         raise ToolError(f"cannot {what}: {NO_SPACE.format(folder)}", FaultCode.FILE_IO) from error
 
 
-def new_folder(prefix):
-    """A temporary folder, to be removed by the caller. Raises ToolError(FILE_IO)."""
-    # gettempdir tries to write: on a full disk it finds no folder at all
-    with naming(tempfile.tempdir or os.environ.get("TMPDIR") or "/tmp", "make a temporary folder"):
-        return tempfile.mkdtemp(prefix=prefix)
+def new_folder(prefix, place=None):
+    """A temporary folder in `place`, or where temporary files go, for remove_folder. Until then, or until the caller
+    tells keeper.let_folder_go of it to keep it, it goes with this process. Raises ToolError(FILE_IO), or OSError where it has a place."""
+    if place is None:
+        # gettempdir tries to write: on a full disk it finds no folder at all
+        with naming(tempfile.tempdir or os.environ.get("TMPDIR") or "/tmp", "make a temporary folder"):
+            return new_folder(prefix, tempfile.gettempdir())
+    path = os.path.join(os.path.abspath(place), prefix + secrets.token_hex(8))
+    keeper.hold_folder(path)
+    try:
+        os.mkdir(path, 0o700)
+    except OSError:
+        keeper.let_folder_go(path)
+        raise
+    return path
 
 
-@contextmanager
-def working_folder(prefix):
-    """A temporary folder that is gone afterwards; faults while it is made are named."""
-    folder = new_folder(prefix)
+@contextlib.contextmanager
+def working_folder(prefix, place=None):
+    """A temporary folder that is gone afterwards, whatever ends this process; faults while it is made are named."""
+    folder = new_folder(prefix, place)
     try:
         yield folder
     finally:
-        shutil.rmtree(folder, ignore_errors=True)
+        remove_folder(folder)
+
+
+def remove_folder(folder):
+    """Remove what new_folder has made, with all that is in it."""
+    shutil.rmtree(folder, ignore_errors=True)
+    keeper.let_folder_go(folder)
+
+
+def write_arrays(path, arrays):
+    """An .npz file of a dict of arrays, as np.savez makes it. Raises OSError, and nothing after it: on a full disk
+    np.savez leaves an archive open, which complains once more when it is collected."""
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_STORED) as archive:
+        for name, array in arrays.items():
+            with archive.open(name + ".npy", "w", force_zip64=True) as stream:
+                np.lib.format.write_array(stream, np.asanyarray(array), allow_pickle=False)

@@ -117,11 +117,29 @@ static bool quadrics_part(pair *p, const cells *c, const shared *s) {
          patch_quadric_clears(&p->b_seen_by_a, &c->a, shared_a);
 }
 
-static bool sides_cross(ball a[4][3], ball b[4][3]) {
+/** A place on a side of a cell, which is straight. */
+static void place_on_side(ball corners[4][3], int side, ball out[3]) {
+  const double t = 0.3125;
+  for (int k = 0; k < 3; k++)
+    out[k] =
+        ball_add(ball_scaled(corners[side][k], 1 - t), ball_scaled(corners[(side + 1) & 3][k], t));
+}
+
+/** A side, or a ruling between opposite sides, of the one goes through the other. Rulings, because
+ * sides of cells of two like patches may lie exactly over each other. */
+static bool lines_cross(ball a[4][3], ball b[4][3]) {
   for (int side = 0; side < 4; side++)
-    if (segment_crosses_patch(a[side], a[(side + 1) & 3], b) ||
-        segment_crosses_patch(b[side], b[(side + 1) & 3], a))
+    if (segment_crosses_patch(a[side], a[(side + 1) & 3], b))
       return true;
+  for (int side = 0; side < 2; side++) {
+    ball reversed[4][3], from[3], to[3];
+    for (int c = 0; c < 4; c++)
+      memcpy(reversed[c], a[3 - c], sizeof reversed[c]);
+    place_on_side(a, side, from);
+    place_on_side(reversed, side == 0 ? 0 : 3, to);
+    if (segment_crosses_patch(from, to, b))
+      return true;
+  }
   return false;
 }
 
@@ -131,7 +149,7 @@ static meeting judge_distinct(pair *p, const cells *c, const shared *none) {
   cell_corners(&p->b, &c->b, b);
   if (boxes_part(a, b) || plane_parts(a, b) || quadrics_part(p, c, none))
     return MEETING_NONE;
-  return sides_cross(a, b) ? MEETING_PROVED : MEETING_OPEN;
+  return lines_cross(a, b) || lines_cross(b, a) ? MEETING_PROVED : MEETING_OPEN;
 }
 
 /* ------------------------------------------------------------------------------------- recursion

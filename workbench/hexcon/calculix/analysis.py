@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A linear static analysis through FreeCAD's FEM workbench, without its GUI."""
 import os
-import shutil
 from contextlib import contextmanager
 
 import numpy as np
 
-from hexcon import disk, freecad_compat
+from hexcon import disk, freecad_compat, keeper
 from hexcon.errors import FaultCode, HexconError, ToolError
 from hexcon.femmesh.convert import from_femmesh, to_femmesh
 from hexcon.femmesh.document import insert
@@ -16,7 +15,8 @@ from hexcon.topological import is_topological, refuse_topological
 from . import constraints as make
 from . import frd
 from .freecad_deck import correct_loads
-from .loads import force_vector
+from .judging import check_loads
+from .loads import force_vector, pressure_value
 from .material import material_of
 from .result import Result
 from .runner import find_ccx, run_ccx
@@ -43,13 +43,16 @@ def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pres
     TOOL_TIMEOUT, FILE_IO, BAD_OPTION, BAD_MESH, TOPOLOGICAL_MESH.
     """
     refuse_topological(mesh, allow_topological)
-    force, pressure = _without_zeros(force), dict(pressure or {})
+    given = force, pressure
+    force = _without_zeros(force)
+    pressure = {name: pressure_value(name, value) for name, value in (pressure or {}).items()}
     material = material_of(material)
     faces = [[make.face_name(solid, name) for name in group]
              for group in (fixed, force, pressure)]
     if not faces[0]:
         raise ToolError("nothing is held: name at least one fixed face",
                         FaultCode.BAD_OPTION)
+    check_loads(*given)
     program = find_ccx(freecad_compat.ccx_preference())
     folder = workdir or disk.new_folder("hexcon-fem-")
     if not os.path.isdir(folder):
@@ -73,14 +76,16 @@ def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pres
 
 @contextmanager
 def _kept_for_a_reason(folder, given):
-    """A folder of ours is kept with the deck in it, unless the disk could not hold that."""
+    """A folder of ours is kept with the deck in it, unless the disk could not hold that, or the process is ended."""
     try:
         with disk.naming(folder, f"work in {folder}"):
             yield
     except HexconError as fault:
         if fault.code is FaultCode.FILE_IO and not given:
-            shutil.rmtree(folder, ignore_errors=True)
+            disk.remove_folder(folder)
+        keeper.let_folder_go(folder)
         raise
+    keeper.let_folder_go(folder)
 
 
 def _without_zeros(force):
@@ -194,7 +199,7 @@ def _run(setup, tools, program, timeout, threads, waiting):
     result of a failed run."""
     def job(progress):
         return run_ccx(tools.inp_file_name, timeout=timeout, threads=threads, ccx=program,
-                       progress=progress)
+                       progress=progress, nodes=setup.mesh.node_ids[np.unique(setup.mesh.hexes)])
     try:
         return waiting(job, "CalculiX") if waiting else job(None)
     except ToolError as error:

@@ -11,6 +11,7 @@ from hexcon import disk
 from hexcon.errors import FaultCode, ToolError
 
 from . import frd
+from .judging import judged_points
 from .runner import run_ccx
 
 
@@ -51,20 +52,11 @@ def _deck_text(deck):
     return re.sub(r"(?im)^(\*INCLUDE\s*,\s*INPUT\s*=\s*)(\S+)", absolute, text)
 
 
-def read_dat_stress(path):
-    """(m,8) element number, point, xx yy zz xy yz zx of the last *EL PRINT S, or None."""
-    with open(path, encoding="ascii", errors="replace") as stream:
-        blocks = re.split(r"\n\s*stresses \(", stream.read())
-    if len(blocks) < 2:
-        return None
-    rows = [line.split()[:8] for line in blocks[-1].splitlines()[1:] if line.strip()]
-    return np.array([row for row in rows if len(row) == 8 and row[0].isdigit()]).astype(float)
-
-
-def solve_inp(deck, *, timeout=3600, threads=None, workdir=None, ccx=None):
+def solve_inp(deck, *, timeout=3600, threads=None, workdir=None, ccx=None, nodes=None):
     """Run ccx on a deck (text, or path of an .inp file) and read its results.
 
     workdir  folder that keeps deck.inp, deck.frd, ...; a temporary one if None
+    nodes    node numbers that the results must cover, all others being strangers; None: any
     Raises ToolError: TOOL_MISSING, TOOL_FAILED with ccx's words, TOOL_TIMEOUT, FILE_IO.
     """
     text = _deck_text(deck)
@@ -73,9 +65,8 @@ def solve_inp(deck, *, timeout=3600, threads=None, workdir=None, ccx=None):
         path = os.path.join(folder, "deck.inp")
         with open(path, "w", encoding="utf-8") as stream:
             stream.write(text)
-        found, log = run_ccx(path, timeout=timeout, threads=threads, ccx=ccx)
-        dat = os.path.join(folder, "deck.dat")
-        points = read_dat_stress(dat) if os.path.exists(dat) else None
+        found, log = run_ccx(path, timeout=timeout, threads=threads, ccx=ccx, nodes=nodes)
+        points = judged_points(os.path.join(folder, "deck.dat"))
     stress = found["stress"]
     return InpResult(found["node_ids"], found["displacements"], stress,
                      None if stress is None else frd.von_mises(stress), points, log)

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A full linear static deck without FreeCAD."""
 import io
-import math
 
 import numpy as np
 
@@ -11,7 +10,8 @@ from hexcon.files.abaqus import write_mesh
 from hexcon.files.text import write_list, write_rows
 from hexcon.topological import refuse_topological
 
-from .loads import face_force, force_vector
+from .judging import check_loads
+from .loads import face_force, force_vector, pressure_value
 from .material import material_of
 
 
@@ -38,7 +38,7 @@ def static_deck(mesh, material=None, fixed=("Face1",), force=None, pressure=None
     prescribed  (nodes (k,) 0-based, displacements (k,3) mm) at the given order, optional
     integration_points  print the stresses there to the .dat file
     allow_topological   take a mesh of topology only as well: its results mean nothing
-    Raises ToolError: BAD_OPTION (no such face, nothing held), BAD_MESH, TOPOLOGICAL_MESH.
+    Raises ToolError: BAD_OPTION (no such face, nothing held, no load but zero), BAD_MESH, TOPOLOGICAL_MESH.
     """
     refuse_topological(mesh, allow_topological)
     elements = elements_of(mesh, order)
@@ -46,6 +46,7 @@ def static_deck(mesh, material=None, fixed=("Face1",), force=None, pressure=None
     if not fixed and prescribed is None:
         raise ToolError("nothing is held: name at least one fixed face, or CalculiX finds "
                         "a singular system", FaultCode.BAD_OPTION)
+    check_loads(force, pressure, prescribed)
     out = io.StringIO()
     out.write("** HexCon: linear static analysis; N, mm, MPa\n")
     write_mesh(out, elements)
@@ -97,11 +98,10 @@ def write_pressures(out, elements, pressure, hex_ids=None, sides=None):
     label of each row of hexahedron.FACES, 1..6 if None."""
     sides = np.arange(1, 7) if sides is None else sides
     for name, value in (pressure or {}).items():
-        if not math.isfinite(value):
-            raise ToolError(f"pressure on {name}: a finite number is needed", FaultCode.BAD_OPTION)
+        value = pressure_value(name, value)
         rows = elements.quads_of_face(face_number(name))
         hexes = elements.hex_of_quad[rows]
         numbers = hexes + 1 if hex_ids is None else hex_ids[hexes]
         out.write(f"** pressure on {name}\n*DLOAD\n")
-        write_rows(out, f"%d, P%d, {float(value)!r}\n",
+        write_rows(out, f"%d, P%d, {value!r}\n",
                    np.column_stack([numbers, sides[elements.side_of_quad[rows]]]))

@@ -1,21 +1,31 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reading CalculiX's .frd results (ASCII): nodal displacements and stresses."""
+"""Reading CalculiX's results: of .frd (ASCII) nodal displacements and stresses, of .dat stresses inside elements."""
 import re
 
 import numpy as np
 
 END = b"9999"  # the last line
-_VALUE = re.compile(rb"[-+]?\d\.\d{5}E[-+]\d{2,3}")
+_VALUE = re.compile(rb"[-+]?\d\.\d{5}E[-+]\d{2,3}|[-+]?NaN|[-+]?Infinity", re.IGNORECASE)
+_COUNT = slice(24, 36)  # of a line 100C: how many nodes the result has
 
 
-def _last_block(data, name):
-    """Bytes of the data lines of the last nodal result called name, or None."""
+def _last_block(data, name, components):
+    """(ids (n,) rising, values (n,components)) of the last nodal result called name, or None.
+
+    Raises ValueError where it is not all there."""
     start = data.rfind(b"\n -4  " + name.ljust(8))
     if start < 0:
         return None
-    first = data.find(b"\n -1", start)
-    end = data.find(b"\n -3", start)
-    return data[first + 1:end + 1] if 0 <= first < end else b""
+    first, end = data.find(b"\n -1", start), data.find(b"\n -3", start)
+    block = data[first + 1:end + 1] if 0 <= first < end else b""
+    ids, values = _table(block, components)
+    head = data.rfind(b"\n  100C", 0, start)
+    count = int(data[head + 1:start].split(b"\n")[0][_COUNT]) if head >= 0 else len(ids)
+    if len(ids) != count or values.shape != (count, components):
+        raise ValueError(f"{name.decode()} has {values.shape} numbers, {count} nodes are announced")
+    if (np.diff(ids) <= 0).any():
+        raise ValueError(f"{name.decode()} lists a node twice, or out of turn")
+    return ids, values
 
 
 def _table(block, components):
@@ -29,34 +39,46 @@ def _table(block, components):
             return ids.reshape(-1), values.reshape(-1, components)
     # three-digit exponents make some lines longer
     lines = block.splitlines()
-    ids = np.array([int(line[3:13]) for line in lines])
-    values = np.array([_VALUE.findall(line[13:])[:components] for line in lines])
-    return ids, values.astype(float)
+    ids = np.array([int(line[3:13]) for line in lines], np.int64)
+    values = [_VALUE.findall(line[13:])[:components] for line in lines]
+    if any(len(row) != components for row in values):
+        raise ValueError("a line lacks numbers")
+    return ids, np.array(values).astype(float).reshape(-1, components)
 
 
 def read(path):
-    """{"node_ids" (n,), "displacements" (n,3), "stress" (n,6)|None} of the last step.
+    """{"node_ids" (n,) rising, "displacements" (n,3), "stress" (n,6)|None} of the last step.
 
-    Stress components xx yy zz xy yz zx, in the deck's units, extrapolated to the nodes.
+    Stress components xx yy zz xy yz zx, in the deck's units, extrapolated to the nodes; of the nodes that have
+    displacements.
     Returns None where the file holds no displacements, or lacks its last line: ccx did not get
-    that far, or the disk was full, which it does not notice.
+    that far, or the disk was full, which it does not notice. Raises ValueError where it is damaged.
     """
     with open(path, "rb") as stream:
         data = stream.read()
     if data.rstrip()[-4:] != END:
         return None
-    block = _last_block(data, b"DISP")
-    if not block:
+    found = _last_block(data, b"DISP", 3)
+    if found is None or not len(found[0]):
         return None
-    ids, displacements = _table(block, 3)
-    block = _last_block(data, b"STRESS")
-    stress = None
-    if block:
-        stress_ids, listed = _table(block, 6)
-        stress = np.full((len(ids), 6), np.nan)
-        place = np.searchsorted(ids, stress_ids)
-        stress[place] = listed
+    ids, displacements = found
+    found, stress = _last_block(data, b"STRESS", 6), None
+    if found is not None:
+        place = np.searchsorted(found[0], ids).clip(max=len(found[0]) - 1)
+        if not len(found[0]) or (found[0][place] != ids).any():
+            raise ValueError("nodes have displacements and no stresses")
+        stress = found[1][place]
     return {"node_ids": ids, "displacements": displacements, "stress": stress}
+
+
+def read_dat_stress(path):
+    """(m,8) element number, point, xx yy zz xy yz zx of the last *EL PRINT S, or None. Raises ValueError."""
+    with open(path, encoding="ascii", errors="replace") as stream:
+        blocks = re.split(r"\n\s*stresses \(", stream.read())
+    if len(blocks) < 2:
+        return None
+    rows = [line.split()[:8] for line in blocks[-1].splitlines()[1:] if line.strip()]
+    return np.array([row for row in rows if len(row) == 8 and row[0].isdigit()]).astype(float)
 
 
 def von_mises(stress):

@@ -10,6 +10,7 @@ import os
 
 import numpy as np
 
+from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.hexahedron import FACES
 
 from .deck import face_number, write_forces, write_pressures
@@ -41,6 +42,20 @@ def nodal_loads(text, n_nodes):
         place = rows[:, 0].astype(np.int64), rows[:, 1].astype(np.int64) - 1
         np.add.at(loads, place, rows[:, 2].astype(float))
     return loads
+
+
+def check_held(cards):
+    """Raise TOOL_FAILED where a *BOUNDARY names a node set that is not in the deck, or empty; or where there is none."""
+    sizes = {}
+    for keyword, lines in cards:
+        if keyword == "*NSET":
+            name = lines[0].upper().partition("NSET=")[2].split(",")[0].strip()
+            sizes[name] = sizes.get(name, 0) + sum(bool(word.strip()) for row in _data(lines) for word in row)
+    held = {row[0].strip().upper() for keyword, lines in cards if keyword == "*BOUNDARY" for row in _data(lines)}
+    empty = sorted(name for name in held if not name.isdigit() and not sizes.get(name))
+    if empty or not held:
+        raise ToolError("FreeCAD's deck holds nothing" + "".join(f": its node set {name} has no nodes" for name in empty[:1])
+                        + "; the mesh may not lie on the faces of the solid", FaultCode.TOOL_FAILED)
 
 
 def _loaded_faces(cards):
@@ -79,11 +94,12 @@ def correct_loads(path, elements, force, pressure, node_ids, hex_ids):
 
     path      the .inp file;  node_ids (P,), hex_ids (H,): its numbers of our rows
     force, pressure  as in deck.static_deck
-    Returns (notes, (3,) sum of the nodal loads now in the deck).
+    Returns (notes, (3,) sum of the nodal loads now in the deck). Raises ToolError TOOL_FAILED where nothing is held.
     """
     with open(path, encoding="utf-8") as stream:
         text = stream.read()
     cards, notes, last = _cards(text), [], int(node_ids.max())
+    check_held(cards)
     new = io.StringIO()
     write_forces(new, elements, force, node_ids)
     got, right = nodal_loads(text, last), nodal_loads(new.getvalue(), last)

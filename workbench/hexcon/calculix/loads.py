@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Consistent nodal loads of a force spread evenly over the quads of a CAD face."""
+import math
+
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
@@ -49,11 +51,25 @@ def node_areas(points, quads):
 
 def force_vector(name, force):
     """The force on a named face as (3,) float64. Raises ToolError(BAD_OPTION)."""
-    vector = np.asarray(force, float)
+    try:
+        vector = np.asarray(force, float)
+    except (TypeError, ValueError, OverflowError):
+        vector = np.empty(0)
     if vector.shape != (3,) or not np.isfinite(vector).all():
         raise ToolError(f"force on {name}: three finite numbers are needed",
                         FaultCode.BAD_OPTION)
     return vector
+
+
+def pressure_value(name, pressure):
+    """The pressure on a named face as a float. Raises ToolError(BAD_OPTION)."""
+    try:
+        value = float(pressure)
+    except (TypeError, ValueError, OverflowError):
+        value = math.nan
+    if not math.isfinite(value):
+        raise ToolError(f"pressure on {name}: a finite number is needed", FaultCode.BAD_OPTION)
+    return value
 
 
 def face_force(elements, face_number, force):

@@ -2,53 +2,51 @@
 """The command line: hexcon mesh | check | info | example | solve.
 
 Exit status: 0 done; 1 a fault (its words on standard error); 2 wrong usage; 3 `check` found the
-mesh not certified; 130 interrupted.
+mesh not certified; 129, 130, 143 ended by SIGHUP, SIGINT, SIGTERM; 141 nobody read the answer to its end.
 """
 import json
-import sys
 
 from hexcon_native.errors import HexconError
 
-from . import in_freecad
+from . import in_freecad, terminal
 from .arguments import parse
+from .terminal import complain, say
 
-EXIT_DONE, EXIT_FAULT, EXIT_NOT_CERTIFIED, EXIT_INTERRUPTED = 0, 1, 3, 130
+EXIT_DONE, EXIT_FAULT, EXIT_NOT_CERTIFIED = 0, terminal.EXIT_FAULT, 3
 
-__all__ = ["main"]
+__all__ = ["main", "program"]
+
+
+def program(arguments=None):
+    """The whole program: main, with its streams and signals; returns the exit status."""
+    return terminal.run(lambda: main(arguments), "hexcon")
 
 
 def main(arguments=None):
-    """Run one command; returns the exit status."""
-    arguments = sys.argv[1:] if arguments is None else arguments
+    """Run one command; returns the exit status. Raises KeyboardInterrupt."""
     options = parse(arguments)
-    paths = [options.input, *(getattr(options, "output", None) or [])]
-    if in_freecad.needs_freecad(paths) and not in_freecad.can_import_freecad():
-        status = in_freecad.rerun(arguments)
-        if status is not None:
-            return status
     try:
+        paths = [options.input, *(getattr(options, "output", None) or [])]
+        if in_freecad.needs_freecad(paths) and not in_freecad.can_import_freecad():
+            status = in_freecad.rerun(arguments)
+            if status is not None:
+                return status
         facts, lines = options.run(options)
     except HexconError as fault:
         _tell_fault(fault, options.json)
         return EXIT_FAULT
-    except KeyboardInterrupt:
-        print("hexcon: interrupted; nothing was written", file=sys.stderr)
-        return EXIT_INTERRUPTED
-    if options.json:
-        print(json.dumps(facts))
-    else:
-        print("\n".join(lines))
+    say(json.dumps(facts) if options.json else "\n".join(lines))
     failed = options.command == "check" and not facts["certified"]
     return EXIT_NOT_CERTIFIED if failed else EXIT_DONE
 
 
 def _tell_fault(fault, as_json):
+    code = getattr(fault.code, "name", None)
     if as_json:
-        print(json.dumps({"error": str(fault), "code": fault.code.name,
-                          "elements": fault.elements}))
+        say(json.dumps({"error": str(fault), "code": code, "elements": fault.elements}))
         return
-    print(f"hexcon: {fault} [{fault.code.name}]", file=sys.stderr)
+    complain(f"hexcon: {fault} [{code}]")
     if fault.elements:
         shown = ", ".join(map(str, fault.elements[:20]))
         more = f" and {len(fault.elements) - 20} more" if len(fault.elements) > 20 else ""
-        print(f"hexcon: ids: {shown}{more}", file=sys.stderr)
+        complain(f"hexcon: ids: {shown}{more}")

@@ -9,6 +9,7 @@ from ..examples import example_names
 from ..files.surfaces import SURFACE_ENDINGS
 from ..quads import METHOD_TABLE as SURFACE_METHOD_TABLE
 from . import commands, examples
+from .terminal import Parser
 
 PAIRINGS = tuple(hexcon_native.PAIRINGS)
 LAYERS_HELP = (f"at least K layers of plain hexes under the surface, for methods "
@@ -22,7 +23,8 @@ def methods_help(table):
 
 
 _EXIT = ("exit status: 0 done; 1 a fault, its words on standard error; 2 wrong usage; 3 check: not "
-         "certified; 130 interrupted")
+         "certified; 129, 130, 143 ended by SIGHUP, SIGINT, SIGTERM: no file is half written; 141 nobody read the "
+         "answer to its end")
 
 
 def _face_vector(text):
@@ -147,7 +149,7 @@ def _add_solve(commands_parser):
 
 def parse(arguments=None):
     """Parsed options; .run is the command's function, .command its name."""
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="hexcon", epilog=_EXIT,
         description="Hexahedral meshes whose boundary is exactly a given quad surface.")
     commands_parser = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")

@@ -8,6 +8,7 @@ import hexcon_native
 
 from ..calculix import solve_inp, static_deck
 from ..calculix.deck import face_number
+from ..calculix.judging import check_loads
 from ..errors import FaultCode, ToolError
 from ..examples import example
 from ..femmesh.hexahedron import EDGES
@@ -280,12 +281,13 @@ def solve(options):
     """hexcon solve IN --fixed FaceN --force FaceN=fx,fy,fz"""
     check_outputs(options, {".vtu", ".vtk", ".png"})
     force, pressure = _by_face(options.force), _by_face(options.pressure)
+    check_loads(force, pressure)
     is_solid = _ending(options.input) in SOLID_ENDINGS
     made = _mesh_to_solve(options, is_solid)
     deck = static_deck(made, {"young": options.young, "poisson": options.poisson},
                        options.fixed, force, pressure,
                        allow_topological=options.allow_topological)
-    result = solve_inp(deck, timeout=options.ccx_timeout)
+    result = solve_inp(deck, timeout=options.ccx_timeout, nodes=np.unique(made.hexes) + 1)
     displacements = np.zeros((len(made.points), 3))
     displacements[result.node_ids - 1] = result.displacements
     stress = np.zeros(len(made.points))

@@ -2,7 +2,6 @@
 """Mesh files: the ending decides. All but .FCStd and .med work without FreeCAD."""
 import inspect
 import os
-import tempfile
 from types import SimpleNamespace
 
 import numpy as np
@@ -84,7 +83,7 @@ def replace_file(path, write_to):
     OSError becomes ToolError(FILE_IO), and so does any fault of a program on a full disk."""
     folder, base = os.path.split(os.path.abspath(path))
     # a folder of its own: some writers (FreeCAD) put files of their own beside theirs
-    with disk.naming(folder, f"write {path}"), tempfile.TemporaryDirectory(prefix=".hexcon-", dir=folder) as beside:
+    with disk.naming(folder, f"write {path}"), disk.working_folder(".hexcon-", folder) as beside:
         with disk.naming(folder, f"write {path}"):  # what was written still is there, so the disk is full
             write_to(os.path.join(beside, base))
         os.replace(os.path.join(beside, base), path)

@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures of a mesh and of its displacements, drawn by VTK without a screen."""
+import errno
 import os
 import shutil
-import signal
-import subprocess
 import sys
 
 import numpy as np
 
 import hexcon_native
-from hexcon import disk
+from hexcon import child, disk
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.elements import elements_of
 from hexcon.files import replace_file
 from hexcon.inspection.cutting import behind_plane, centres_of
+from hexcon.interpreter import python
 
 _FOLDER = os.path.dirname(os.path.abspath(__file__))
 
@@ -49,7 +49,7 @@ def draw(program, job, path, timeout=300):
     with disk.working_folder("hexcon-picture-") as folder:
         arrays = os.path.join(folder, "scene.npz")
         with disk.naming(folder, f"work in {folder}"):
-            np.savez(arrays, **job)
+            disk.write_arrays(arrays, job)
         replace_file(path, lambda beside: _draw(program, arrays, beside, timeout))
 
 
@@ -101,20 +101,9 @@ def kept(points, hexes, cut):
     return keep if keep.any() else np.ones(len(hexes), bool)
 
 
-def _python():
-    """An interpreter to draw with: this one, or inside FreeCAD the one it was built for."""
-    if os.environ.get("HEXCON_PYTHON"):
-        return os.environ["HEXCON_PYTHON"]
-    if os.path.basename(sys.executable or "").lower().startswith("python"):
-        return sys.executable
-    name = f"python{sys.version_info.major}.{sys.version_info.minor}"
-    beside = os.path.join(sys.base_prefix, "bin", name)
-    return beside if os.path.exists(beside) else (shutil.which(name) or "python3")
-
-
 def _command(program, arrays, path):
     """The drawing program's command line, under xvfb-run where there is no screen."""
-    command = [_python(), os.path.join(_FOLDER, program), arrays, path]
+    command = [python(), os.path.join(_FOLDER, program), arrays, path]
     if not sys.platform.startswith("linux") or os.environ.get("DISPLAY"):
         return command
     xvfb = shutil.which("xvfb-run")
@@ -124,42 +113,27 @@ def _command(program, arrays, path):
     return [xvfb, "-a", "-s", "-screen 0 640x480x24"] + command
 
 
-def _run(command, timeout):
-    """(exit status, output) of the command, in a session of its own: at the time limit
-    xvfb-run's children have to go as well."""
-    try:
-        process = subprocess.Popen(
-            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT, encoding="utf-8", errors="replace",
-            start_new_session=True)
-    except FileNotFoundError as error:
-        raise ToolError(f"no Python to draw with: {error}; set HEXCON_PYTHON",
-                        FaultCode.TOOL_MISSING) from error
-    with process:
-        try:
-            output, _ = process.communicate(timeout=timeout)
-        except BaseException as error:
-            _end(process)
-            if isinstance(error, subprocess.TimeoutExpired):
-                raise ToolError(f"the picture was not drawn within {timeout} s",
-                                FaultCode.TOOL_TIMEOUT) from error
-            raise
-    return process.returncode, output
-
-
-def _end(process):
-    """End the process and what it started."""
-    if hasattr(os, "killpg"):
-        os.killpg(process.pid, signal.SIGKILL)
-    else:
-        process.kill()
-
-
 def _draw(program, arrays, path, timeout):
-    status, output = _run(_command(program, arrays, path), timeout)
-    if status or not os.path.exists(path):
-        if "No module named 'vtk" in output:
+    command = _command(program, arrays, path)
+    # xvfb-run has a temporary folder of its own
+    ended = child.run(command, "the drawing program", timeout=timeout,
+                      environment=child.python_environment(python(), [_FOLDER], TMPDIR=os.path.dirname(arrays)))
+    if ended.status or not os.path.exists(path):
+        if "No module named 'vtk" in ended.output:
             raise ToolError("drawing needs VTK for Python (Debian: apt install python3-vtk9; "
                             "others: pip install vtk)", FaultCode.TOOL_MISSING)
-        raise ToolError("VTK did not draw the picture:\n" + output.strip()[-1500:],
+        if "Ran out of disk space" in ended.output:     # and has deleted what it had written: there is space again
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        raise ToolError(f"VTK did not draw the picture, the program {ended.how()}:\n" + ended.last_words(),
                         FaultCode.TOOL_FAILED)
+    _check_picture(path)
+
+
+def _check_picture(path):
+    """Raise TOOL_FAILED unless the file begins and ends as a PNG does."""
+    with open(path, "rb") as stream:
+        begin = stream.read(8)
+        stream.seek(max(0, os.path.getsize(path) - 12))
+        end = stream.read(12)
+    if begin != b"\x89PNG\r\n\x1a\n" or end[4:8] != b"IEND":
+        raise ToolError("the drawing program left no whole picture", FaultCode.TOOL_FAILED)

@@ -8,6 +8,7 @@ import os
 import numpy as np
 
 import hexcon_native
+from hexcon import disk
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.hexahedron import FACES
 from hexcon.inspection.dual_loops import centres_of, dual_loops
@@ -43,14 +44,27 @@ def stages(surface, mesh, folder, *, name="surface"):
     jobs = [("surface", _loops_job(surface, name)), ("pairs", _pairs_job(surface, name))]
     if mesh is not None:
         jobs += _hexes_jobs(surface, mesh, name)
-    try:
+    place = _place_of(folder)
+    names = [f"{k}-{words.replace(' ', '-')}.png" for k, (words, _) in enumerate(jobs, 1)]
+    with disk.naming(place, f"write into {folder}"), disk.working_folder(".hexcon-", place) as beside:
+        for file_name, (_, job) in zip(names, jobs):
+            draw("gallery_scene.py", job, os.path.join(beside, file_name))
         os.makedirs(folder, exist_ok=True)
-    except OSError as error:
-        raise ToolError(f"cannot make the folder {folder}: {error.strerror or error}", FaultCode.FILE_IO) from error
-    paths = [os.path.join(folder, f"{k}-{words.replace(' ', '-')}.png") for k, (words, _) in enumerate(jobs, 1)]
-    for path, (_, job) in zip(paths, jobs):
-        draw("gallery_scene.py", job, path)
-    return paths
+        for file_name in names:
+            os.replace(os.path.join(beside, file_name), os.path.join(folder, file_name))
+    return [os.path.join(folder, file_name) for file_name in names]
+
+
+def _place_of(folder):
+    """The folder, or of those in which it will be made the one that is there: its disk takes the pictures until all are
+    drawn. Raises FILE_IO where nothing can be put into it: before the drawing, not after it."""
+    place = os.path.abspath(folder)
+    while not os.path.lexists(place):
+        place = os.path.dirname(place)
+    if not os.path.isdir(place) or not os.access(place, os.W_OK | os.X_OK):
+        raise ToolError(f"cannot make the folder {folder}: {place} is no folder, or not to be written into",
+                        FaultCode.FILE_IO)
+    return place
 
 
 # ---------------------------------------------------------------------------------------- surface

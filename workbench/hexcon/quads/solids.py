@@ -59,7 +59,7 @@ def _check_distance(found, notes):
     off, tolerance = found["off_cad"], float(found["tolerance"])
     bad = np.flatnonzero(~(off <= tolerance))
     if len(bad):
-        raise ToolError(f"{len(bad)} points are off their CAD faces, by up to {np.nanmax(off):.3g} "
+        raise ToolError(f"{len(bad)} points are off their CAD faces, by up to {np.fmax.reduce(off):.3g} "
                         f"(allowed {tolerance:.3g})", FaultCode.OFF_CAD, bad)
     gap = float(found["cad_gap"].max(initial=0.0))
     if gap > 0.0:

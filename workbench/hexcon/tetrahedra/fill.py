@@ -5,6 +5,7 @@ import os
 
 import numpy as np
 
+from hexcon import disk
 from hexcon.errors import FaultCode, ToolError
 from hexcon.gmsh_process import run_job
 
@@ -60,7 +61,7 @@ def _by_gmsh(points, triangles, coarsening, timeout, progress):
     """([(worst quality, points, tetrahedra), ...], [reasons]); raises what run_job does, unless tetgen is there."""
     def write(folder):
         path = os.path.join(folder, "surface.npz")
-        np.savez(path, points=points, triangles=triangles)
+        disk.write_arrays(path, {"points": points, "triangles": triangles})
         return path
     try:
         found = run_job("tetrahedra_worker", write, {"coarsening": float(coarsening)}, timeout, progress)

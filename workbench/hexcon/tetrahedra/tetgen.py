@@ -5,19 +5,17 @@ $HEXCON_TETGEN names the program; if it is set but empty, tetgen is not used; el
 """
 import os
 import shutil
-import subprocess
-import time
 
 import numpy as np
 
-from hexcon import disk
+from hexcon import child, disk
 from hexcon.errors import FaultCode, ToolError
-from hexcon.gmsh_process import last_words, watch
 
 from .tetrahedra_worker.shells import shells_of
 
 # -p fill a surface, -Y keep its triangles, -q no flat tetrahedra, -z count from 0, -Q say little
 OPTIONS = "-pYqzQ"
+MOST = 1 << 30          # bytes of a file of tetgen's: 10^7 points
 INTO_CAVITY = 1e-3      # of a triangle's size: so far from its middle lies the point that marks a cavity
 
 
@@ -29,7 +27,7 @@ def find_tetgen():
     found = shutil.which(named or "tetgen")
     if named and not found:
         raise ToolError(f"HEXCON_TETGEN is {named}, which is no program", FaultCode.TOOL_MISSING)
-    return found
+    return found and os.path.abspath(found)     # work is done in another folder
 
 
 def by_tetgen(program, points, triangles, timeout, progress):
@@ -41,11 +39,20 @@ def by_tetgen(program, points, triangles, timeout, progress):
     with disk.working_folder("hexcon-tetgen-") as folder, disk.naming(folder, f"work in {folder}"):
         path = os.path.join(folder, "surface.poly")
         _write(path, points, triangles)
-        code = _run(program, folder, timeout, progress)
+        look = progress and (lambda: progress("start", 0.0))
+        ended = child.run([program, OPTIONS, "surface.poly"], "tetgen", folder=folder, timeout=timeout, look=look,
+                          most_files=8 * MOST)
+        if ended.status != 0:
+            raise _gave_up(ended)
         try:
-            made, tetrahedra = (_table(os.path.join(folder, "surface.1" + ending)) for ending in (".node", ".ele"))
-        except OSError as error:
-            raise ToolError(f"tetgen ended with status {code}: {last_words(folder)}", FaultCode.TOOL_FAILED) from error
+            made, tetrahedra = (_table(os.path.join(folder, "surface.1" + ending), columns)
+                                for ending, columns in ((".node", 4), (".ele", 5)))
+        except (OSError, ValueError) as error:
+            raise _gave_up(ended, str(error)) from error
+    if len(made) < len(points) or not (np.isfinite(made).all() and np.isfinite(tetrahedra).all()):
+        raise _gave_up(ended, "points are missing, or numbers are no numbers")
+    if tetrahedra[:, 1:].min(initial=0) < 0 or tetrahedra[:, 1:].max(initial=0) >= len(made):
+        raise _gave_up(ended, "a tetrahedron has a point that does not exist")
     return np.concatenate([points, made[len(points):, 1:4]]), tetrahedra[:, 1:5].astype(np.int64)
 
 
@@ -75,23 +82,19 @@ def _point_in_cavity(points, shell):
     return corners[k].mean(axis=0) + INTO_CAVITY * normals[k] / np.sqrt(sizes[k])
 
 
-def _run(program, folder, timeout, progress):
-    """Start, watch, and in any case end it; its exit status."""
-    with open(os.path.join(folder, "log.txt"), "wb") as log:
-        try:
-            process = subprocess.Popen([program, OPTIONS, "surface.poly"], stdin=subprocess.DEVNULL, stdout=log,
-                                       stderr=subprocess.STDOUT, cwd=folder)
-        except OSError as error:
-            raise ToolError(f"cannot start {program}: {error}", FaultCode.TOOL_MISSING) from error
-    try:
-        return watch(process, "tetgen", time.monotonic() + timeout, timeout, os.path.join(folder, "progress.txt"),
-                     progress)
-    finally:
-        if process.poll() is None:
-            process.kill()
-        process.wait()
+def _gave_up(ended, what="no tetrahedra"):
+    return ToolError(f"tetgen {ended.how()} ({what}): {ended.last_words()}", FaultCode.TOOL_FAILED)
 
 
-def _table(path):
-    """Rows of one of tetgen's files: a line with their number, then as many; comments begin with #."""
-    return np.loadtxt(path, skiprows=1, ndmin=2, comments="#")
+def _table(path, columns):
+    """Rows of one of tetgen's files: a line with their number, then as many; comments begin with #.
+
+    Raises ValueError where rows or columns are missing, or are no numbers."""
+    if os.path.getsize(path) > MOST:
+        raise ValueError(f"{os.path.basename(path)} is larger than {MOST >> 20} MB")
+    with open(path, encoding="ascii", errors="replace") as stream:
+        count = int((stream.readline().split() or ["0"])[0])
+        rows = np.loadtxt(stream, ndmin=2, comments="#") if count else np.empty((0, columns))
+    if len(rows) != count or rows.shape[1] < columns:
+        raise ValueError(f"{os.path.basename(path)} has {len(rows)} rows of {rows.shape[1]}, not {count} of {columns}")
+    return rows[:, :columns]
