@@ -129,12 +129,15 @@ def _array(buffer, dtype, width=None):
 
 # --------------------------------------------------------------------------- options at the border
 
-def _bad_option(name, value, wanted):
+def _shown(value):
     try:
-        shown = reprlib.repr(value)
+        return reprlib.repr(value)
     except Exception:  # a number of too many digits, or the object's own
-        shown = f"this {type(value).__name__}"
-    return HexconError(f"{name} must be {wanted}, not {shown}", ErrorCode.BAD_ARGUMENT)
+        return f"this {type(value).__name__}"
+
+
+def _bad_option(name, value, wanted):
+    return HexconError(f"{name} must be {wanted}, not {_shown(value)}", ErrorCode.BAD_ARGUMENT)
 
 
 def _count(name, value):
@@ -553,14 +556,14 @@ class _Mesher:
 def check_options(method="auto", *, order=1, layers=0, threads=0, pairing="all", budget=0.0):
     """Raise BAD_ARGUMENT for options that mesh would refuse: for callers with work to do before."""
     if not isinstance(method, str) or method not in METHODS:
-        raise HexconError(f"there is no method {reprlib.repr(method)}; there are {', '.join(METHODS)}",
+        raise HexconError(f"there is no method {_shown(method)}; there are {', '.join(METHODS)}",
                           ErrorCode.BAD_ARGUMENT)
     _count("threads", threads)
     if _count("layers", layers) and method not in ("auto", "cells"):
         raise HexconError("only cells have boundary layers: choose method cells",
                           ErrorCode.BAD_ARGUMENT)
     if isinstance(pairing, str) and pairing not in PAIRINGS:
-        raise HexconError(f"there is no pairing {reprlib.repr(pairing)}; there are {', '.join(PAIRINGS)}, or an "
+        raise HexconError(f"there is no pairing {_shown(pairing)}; there are {', '.join(PAIRINGS)}, or an "
                           "array of pairs", ErrorCode.BAD_ARGUMENT)
     if not (isinstance(pairing, str) and pairing == "all") and method not in TOPOLOGICAL_METHODS:
         raise HexconError("a pairing is for the topological methods: "

@@ -16,7 +16,8 @@ enum {
   MOST_QUADS = 128,
   MOST_HEXES = 48,
   MOST_REPORTS = 50, /* a call that reports more often is cancelled */
-  MOST_BYTES = 1 << 26
+  MOST_MESHING_REPORTS = 12,
+  MOST_BYTES = 1 << 24
 };
 
 /* -------------------------------------------------------------------------------------- bytes */
@@ -321,7 +322,7 @@ typedef struct call {
   double *points, *goal, *positions;
   int32_t *quads, *hexes;
   uint8_t *fixed;
-  size_t reports, cancel_at;
+  size_t reports, most_reports, cancel_at;
   bytes options;
   int mesher;           /* what the tetrahedraliser does */
   double new_points[3]; /* of the tetrahedraliser */
@@ -332,11 +333,11 @@ static bool report(void *user, const char *stage, double fraction) {
   call *c = user;
   must(stage && *stage, "a stage has no name");
   must(fraction >= 0 && fraction <= 1, "a fraction of a stage is none");
-  return ++c->reports != c->cancel_at && c->reports < MOST_REPORTS;
+  return ++c->reports != c->cancel_at && c->reports < c->most_reports;
 }
 
 static void *exact_copy(const void *from, size_t count, size_t size) {
-  void *to = malloc(count * size ? count * size : 1);
+  void *to = malloc(count > 0 ? count * size : 1);
   must(to != NULL, "no memory for the test itself");
   if (count)
     memcpy(to, from, count * size);
@@ -602,6 +603,7 @@ void fuzz_call(const uint8_t *data, size_t size) {
   call c = {0};
   memory.fail_at = take(&b);
   c.cancel_at = take(&b);
+  c.most_reports = kind >= FIRST_OF_MESHING ? MOST_MESHING_REPORTS : MOST_REPORTS;
   c.options = (bytes){b.at, b.at + 8 < b.end ? b.at + 8 : b.end};
   b.at = c.options.end;
   fill_input(seed, kind < FIRST_OF_HEXES || kind >= FIRST_OF_MESHING, &c.in);
