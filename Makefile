@@ -48,7 +48,7 @@ lint: build
 	clang-tidy --quiet -p $(build) $(native) 2>/dev/null
 
 sanitized-build:
-	@[ -d $(sanitized_package) ] || { mkdir -p $(sanitized_package) && cmake -S hexcon_native -B $(sanitized) -G Ninja \
+	@[ -f $(sanitized)/build.ninja ] && [ -d $(sanitized_package) ] || { mkdir -p $(sanitized_package) && cmake -S hexcon_native -B $(sanitized) -G Ninja \
 	  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DHEXCON_SANITIZE=ON -DHEXCON_TESTS=ON -DHEXCON_PYTHON=ON \
 	  -DPython3_EXECUTABLE=$(python) -DHEXCON_MODULE_FOLDER=$(CURDIR)/$(sanitized_package) >/dev/null; }
 	ninja -C $(sanitized) --quiet
@@ -67,17 +67,18 @@ python-test:
 	@echo "HexCon: testing with $(python) and $$(command -v $(FREECADCMD))"
 	PYTHONPATH=.:workbench $(python) -m pytest -q -p no:cacheprovider -n 2 tests
 
-FUZZ_RUNS ?= 1000
+# By the number of runs from the committed corpus alone; by time, what was met goes on growing.
+FUZZ_RUNS ?= 2000
 FUZZ_SECONDS ?= 0
 fuzz:
 	@[ -f $(fuzzed)/build.ninja ] || cmake -S hexcon_native -B $(fuzzed) -G Ninja -DCMAKE_C_COMPILER=clang \
 	  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DHEXCON_FUZZ=ON -DHEXCON_PYTHON=OFF >/dev/null
 	ninja -C $(fuzzed) --quiet hexcon_fuzz
-	@mkdir -p $(fuzzed)/corpus $(fuzzed)/findings
+	@rm -rf $(fuzzed)/scratch; mkdir -p $(fuzzed)/scratch $(fuzzed)/corpus $(fuzzed)/findings
 	$(fuzzed)/tests/hexcon_fuzz -seed=15 -len_control=0 -max_len=160 -timeout=300 -rss_limit_mb=2500 \
 	  -artifact_prefix=$(fuzzed)/findings/ -print_final_stats=1 -verbosity=0 \
-	  $$([ $(FUZZ_SECONDS) = 0 ] && echo -runs=$(FUZZ_RUNS) || echo -max_total_time=$(FUZZ_SECONDS)) \
-	  $(fuzzed)/corpus tests/native/fuzz_corpus
+	  $$([ $(FUZZ_SECONDS) = 0 ] && echo -runs=$(FUZZ_RUNS) $(fuzzed)/scratch \
+	     || echo -max_total_time=$(FUZZ_SECONDS) $(fuzzed)/corpus) tests/native/fuzz_corpus
 
 bench: setup-run build
 	ninja -C $(build) --quiet hexcon_bench
