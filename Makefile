@@ -8,6 +8,7 @@
 # make compare method diced beside gmsh's own hexes on fifteen solids; COMPARE_QUADS: sizes of the surfaces
 # make parts   named parts with holes, cavities and notches: meshed, patch-tested and solved in FreeCADCmd
 # make csg     random CSG parts from solid to certificate, from seed CSG_FIRST on; goes on where it was stopped
+# make fuzz    libFuzzer on the core's calls, with the sanitizers (clang); FUZZ_SECONDS: how long, FUZZ_RUNS: how often
 # make build   the core alone, in place
 # FREECADCMD and PYTHON may name another FreeCAD and its interpreter.
 
@@ -17,18 +18,20 @@ export FREECADCMD
 python = $(eval python := $(shell scripts/find-python.sh))$(python)
 build = build/release
 sanitized = build/sanitized
+sanitized_package = $(sanitized)/package/hexcon_native
+fuzzed = build/fuzz
 sources = $(shell git ls-files 'hexcon_native/*.[ch]' 'tests/native/*.[ch]' 2>/dev/null || \
             find hexcon_native tests/native -name '*.[ch]')
 native = $(wildcard hexcon_native/src/*/*.c)
 
-.PHONY: run test build bench bench-window compare parts csg gallery screenshots setup-run setup-test lint native-test python-test clean
+.PHONY: run test build bench bench-window compare parts csg gallery screenshots setup-run setup-test lint sanitized-build native-test hostile-test python-test fuzz clean
 
 run: setup-run build
 	@command -v $(FREECADCMD) >/dev/null || { echo "HexCon: there is no $(FREECADCMD); set FREECADCMD to FreeCAD's command line program" >&2; exit 1; }
 	@echo "HexCon: $$(command -v $(FREECADCMD)), Python $(python)"
 	@PYTHONPATH=.:workbench HEXCON_GMSH_PYTHON=$(python) $(FREECADCMD) resources/examples/run_bracket.py </dev/null
 
-test: setup-test build lint native-test python-test
+test: setup-test build lint native-test fuzz hostile-test python-test
 
 setup-run setup-test:
 	@env FREECADCMD=$(filter-out freecadcmd,$(FREECADCMD)) scripts/setup.sh $(@:setup-%=%)
@@ -44,16 +47,38 @@ lint: build
 	  --inline-suppr -Ihexcon_native/include -Ihexcon_native/src $(native)
 	clang-tidy --quiet -p $(build) $(native) 2>/dev/null
 
-native-test:
-	@[ -f $(sanitized)/build.ninja ] || cmake -S hexcon_native -B $(sanitized) -G Ninja \
-	  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DHEXCON_SANITIZE=ON -DHEXCON_TESTS=ON \
-	  -DHEXCON_PYTHON=OFF >/dev/null
+sanitized-build:
+	@[ -f $(sanitized)/build.ninja ] && [ -d $(sanitized_package) ] || { mkdir -p $(sanitized_package) && cmake -S hexcon_native -B $(sanitized) -G Ninja \
+	  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DHEXCON_SANITIZE=ON -DHEXCON_TESTS=ON -DHEXCON_PYTHON=ON \
+	  -DPython3_EXECUTABLE=$(python) -DHEXCON_MODULE_FOLDER=$(CURDIR)/$(sanitized_package) >/dev/null; }
 	ninja -C $(sanitized) --quiet
+
+native-test: sanitized-build
 	ctest --test-dir $(sanitized) --output-on-failure --parallel 2
+
+# The package with the sanitized module comes first where it is the working folder.
+hostile-test: sanitized-build
+	@cp hexcon_native/*.py $(sanitized_package)/
+	cd $(sanitized)/package && HEXCON_SANITIZED=1 LD_PRELOAD=$$(gcc -print-file-name=libasan.so) PYTHONMALLOC=malloc \
+	  ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 PYTHONPATH= \
+	  $(python) -m pytest -q -p no:cacheprovider $(CURDIR)/tests/python/test_hostile_calls.py
 
 python-test:
 	@echo "HexCon: testing with $(python) and $$(command -v $(FREECADCMD))"
 	PYTHONPATH=.:workbench $(python) -m pytest -q -p no:cacheprovider -n 2 tests
+
+# By the number of runs from the committed corpus alone; by time, what was met goes on growing.
+FUZZ_RUNS ?= 2000
+FUZZ_SECONDS ?= 0
+fuzz:
+	@[ -f $(fuzzed)/build.ninja ] || cmake -S hexcon_native -B $(fuzzed) -G Ninja -DCMAKE_C_COMPILER=clang \
+	  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DHEXCON_FUZZ=ON -DHEXCON_PYTHON=OFF >/dev/null
+	ninja -C $(fuzzed) --quiet hexcon_fuzz
+	@rm -rf $(fuzzed)/scratch; mkdir -p $(fuzzed)/scratch $(fuzzed)/corpus $(fuzzed)/findings
+	$(fuzzed)/tests/hexcon_fuzz -seed=15 -len_control=0 -max_len=160 -timeout=300 -rss_limit_mb=2500 \
+	  -artifact_prefix=$(fuzzed)/findings/ -print_final_stats=1 -verbosity=0 \
+	  $$([ $(FUZZ_SECONDS) = 0 ] && echo -runs=$(FUZZ_RUNS) $(fuzzed)/scratch \
+	     || echo -max_total_time=$(FUZZ_SECONDS) $(fuzzed)/corpus) tests/native/fuzz_corpus
 
 bench: setup-run build
 	ninja -C $(build) --quiet hexcon_bench

@@ -6,6 +6,11 @@ from outside; hexes are in VTK order. The GIL is released while the core works; 
 `progress` callback cancel. Every fault is a HexconError with a code and the offending ids.
 """
 import contextlib
+import enum
+import functools
+import numbers
+import operator
+import reprlib
 
 import numpy as np
 
@@ -48,48 +53,73 @@ def _raise(message, status, elements):
 
 # ---------------------------------------------------------------------------- arrays at the border
 
-def _points(points):
-    try:
-        array = np.asarray(points)
-        if array.dtype.kind not in "fiu":
-            raise TypeError
-        array = np.ascontiguousarray(array, dtype=np.float64)
-    except (TypeError, ValueError) as fault:
-        raise HexconError("points must be real numbers, convertible to float64",
-                          ErrorCode.WRONG_TYPE) from fault
-    if array.ndim != 2 or array.shape[1] != 3:
-        raise HexconError(f"points must have shape (P, 3), not {array.shape}",
-                          ErrorCode.WRONG_SHAPE)
-    return array
+_MOST = np.iinfo(np.int32).max
+"""Ids and options are C's int."""
 
 
-def _rectangular(ids, name):
+def _named_memory(call):
+    """A call whose MemoryError, of numpy or of the extension module, is OUT_OF_MEMORY."""
+    @functools.wraps(call)
+    def named(*arguments, **options):
+        try:
+            return call(*arguments, **options)
+        except MemoryError as fault:
+            raise HexconError(f"out of memory in {call.__name__}: there are more rows than this machine holds",
+                              ErrorCode.OUT_OF_MEMORY) from fault
+    return named
+
+
+def _plain(values, name, ragged=ErrorCode.WRONG_SHAPE):
+    """numpy's own array of the values, whatever class they came in; lists of uneven rows are `ragged`."""
+    if np.ma.is_masked(values):
+        raise HexconError(f"{name} are masked in part: fill or leave out what is masked", ErrorCode.WRONG_TYPE)
     try:
-        return np.asarray(ids)
+        return np.asarray(values)
     except ValueError as fault:
-        raise HexconError(f"{name} must be a rectangular array of ids",
-                          ErrorCode.WRONG_SHAPE) from fault
+        raise HexconError(f"{name} must be a rectangular array of numbers", ragged) from fault
+    except MemoryError:
+        raise
+    except Exception as fault:  # of the object's own making
+        raise HexconError(f"{name} cannot be read as an array: {fault}", ErrorCode.WRONG_TYPE) from fault
+
+
+def _check_rows(array, width, name):
+    if array.ndim != 2 or array.shape[1] != width:
+        raise HexconError(f"{name} must have shape (., {width}), not {array.shape}",
+                          ErrorCode.WRONG_SHAPE)
+    if len(array) > _MOST:
+        raise HexconError(f"{name} have {len(array)} rows, more than 32-bit ids count", ErrorCode.TOO_LARGE)
+
+
+def _points(points):
+    array = _plain(points, "points", ErrorCode.WRONG_TYPE)
+    if array.dtype.kind not in "fiu":
+        raise HexconError(f"points must be real numbers, not {array.dtype}", ErrorCode.WRONG_TYPE)
+    _check_rows(array, 3, "points")
+    with np.errstate(all="ignore"):  # what float64 cannot hold becomes infinite, which the core refuses
+        return np.ascontiguousarray(array, dtype=np.float64)
 
 
 def _ids(ids, width, name):
     """Rows of 0-based ids as contiguous int32; ids that int32 cannot hold are out of range."""
-    array = _rectangular(ids, name)
-    if array.ndim != 2 or array.shape[1] != width:
-        raise HexconError(f"{name} must have shape (., {width}), not {array.shape}",
-                          ErrorCode.WRONG_SHAPE)
+    array = _plain(ids, name)
+    _check_rows(array, width, name)
     if array.dtype.kind not in "iu" and array.size:  # an empty list is float64 to numpy
-        raise HexconError(f"{name} must be integers, not {array.dtype}", ErrorCode.WRONG_TYPE)
-    wide = (array < 0) | (array > np.iinfo(np.int32).max)
+        raise HexconError(f"{name} must be integers of at most 64 bits, not {array.dtype}",
+                          ErrorCode.WRONG_TYPE)
+    if array.size == 0:
+        return np.zeros((0, width), np.int32)
+    wide = (array < 0) | (array > _MOST)
     if wide.any():
         rows = np.flatnonzero(wide.any(axis=1))
         raise HexconError(f"{len(rows)} rows of {name} (listed) hold ids outside 0 .. 2^31 - 1",
-                          ErrorCode.INDEX_OUT_OF_RANGE, rows)
+                          ErrorCode.INDEX_OUT_OF_RANGE, rows[:1000])
     return np.ascontiguousarray(array, dtype=np.int32)
 
 
 def _hexes(hexes):
     """Rows of 8 ids; of second-order hexes (20 ids) the corners, as their edges are straight."""
-    array = _rectangular(hexes, "hexes")
+    array = _plain(hexes, "hexes")
     if array.ndim == 2 and array.shape[1] == 20:
         array = array[:, :8]
     return _ids(array, 8, "hexes")
@@ -98,6 +128,64 @@ def _hexes(hexes):
 def _array(buffer, dtype, width=None):
     array = np.frombuffer(buffer, dtype=dtype)
     return array.reshape(-1, width) if width else array
+
+
+# --------------------------------------------------------------------------- options at the border
+
+def _shown(value):
+    try:
+        return reprlib.repr(value)
+    except Exception:  # a number of too many digits, or the object's own
+        return f"this {type(value).__name__}"
+
+
+def _bad_option(name, value, wanted):
+    return HexconError(f"{name} must be {wanted}, not {_shown(value)}", ErrorCode.BAD_ARGUMENT)
+
+
+def _count(name, value):
+    """An int of C from any integer but a bool."""
+    try:
+        number = -1 if isinstance(value, (bool, np.bool_)) else operator.index(value)
+    except Exception:  # no integer; an array of several
+        number = -1
+    if not 0 <= number <= _MOST:
+        raise _bad_option(name, value, f"an integer in 0 .. {_MOST}")
+    return number
+
+
+def _number(name, value, wanted, most=float("inf")):
+    """A finite float of 0 .. most from any real number but a bool."""
+    number = -1.0
+    if isinstance(value, numbers.Real) and not isinstance(value, (bool, np.bool_)):
+        with contextlib.suppress(OverflowError):  # an int beyond all floats
+            number = float(value)
+    if not 0 <= number <= most or number == float("inf"):
+        raise _bad_option(name, value, wanted)
+    return number
+
+
+def _target(value):
+    return _number("target", value, "a number in 0 .. 1", 1)
+
+
+def _flag(name, value):
+    if not isinstance(value, (bool, np.bool_)):
+        raise _bad_option(name, value, "True or False")
+    return bool(value)
+
+
+def _progress(progress):
+    """The callback as the extension module calls it: False and nothing else cancels."""
+    if progress is None:
+        return None
+    if not callable(progress):
+        raise _bad_option("progress", progress, "a callable (stage, fraction) or None")
+
+    def tell(stage, fraction):
+        answer = progress(stage, fraction)
+        return not isinstance(answer, (bool, np.bool_)) or bool(answer)
+    return tell
 
 
 # --------------------------------------------------------------------------------------- surface
@@ -200,6 +288,7 @@ def _packed_ids(quads):
         raise
 
 
+@_named_memory
 def check_surface(points, quads):
     """Check a surface and tell its facts.
 
@@ -210,8 +299,8 @@ def check_surface(points, quads):
     An odd, a non-bipartite or an inward surface, one of several components, or one that crosses
     itself, is reported, not raised. Cost: n log n; of a surface that is not bipartite near-linear, times the genus squared.
     """
-    quads = _ids(quads, 4, "quads")
-    points = _points(points)
+    points = np.array(_points(points))
+    quads = np.array(_ids(quads, 4, "quads"))  # the same for all calls
     facts = _core.check_surface(points, quads)
     embedding = _core.embedding(points, quads, None)
     offsets, _, crossings = _core.loops(quads)
@@ -220,6 +309,7 @@ def check_surface(points, quads):
     return SurfaceReport(facts, figures, embedding)
 
 
+@_named_memory
 def loops(quads):
     """Dual loops: a list of int32 arrays, the quads each loop passes, in order.
 
@@ -230,6 +320,7 @@ def loops(quads):
     return np.split(_array(passed, np.int32), _array(offsets, np.uintp)[1:-1].astype(np.int64))
 
 
+@_named_memory
 def colouring(quads):
     """2-colouring of the points along edges: (P,) uint8, 0 black, 1 white, P the largest id + 1.
 
@@ -245,6 +336,7 @@ def colouring(quads):
     return spread
 
 
+@_named_memory
 def pairing(quads, points=None, *, fewest=False, progress=None):
     """Pair every quad with a neighbour across an edge: a perfect matching of the dual graph.
 
@@ -259,8 +351,8 @@ def pairing(quads, points=None, *, fewest=False, progress=None):
     number of quads; with fewest these two only where a loop crosses itself.
     Cost: near-linear in n in practice; with fewest seconds from some hundred quads on.
     """
-    quads = _ids(quads, 4, "quads")
-    if fewest:
+    quads, progress = _ids(quads, 4, "quads"), _progress(progress)
+    if _flag("fewest", fewest):
         with _packed_ids(quads) as (packed, _):
             count = int(packed.max(initial=-1)) + 1
             return _array(_core.pairing_of_crossings(count, packed, progress), np.int32, 2)
@@ -389,6 +481,7 @@ class Mesh:
                 f"{self.certificate or 'not checked'}, {self.quality}>")
 
 
+@_named_memory
 def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahedralise=None,
          pairing="all", core=True, budget=0.0, progress=None, allow_uncertified=False,
          allow_topological=False, certify=True):
@@ -445,12 +538,16 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
     Cost: linear in the hexes made, plus the improvement of what is bad.
     """
     check_options(method, order=order, layers=layers, threads=threads, pairing=pairing, budget=budget, core=core)
+    if tetrahedralise is not None and not callable(tetrahedralise):
+        raise _bad_option("tetrahedralise", tetrahedralise, "a callable (points, triangles) or None")
     mesher = None if tetrahedralise is None else _Mesher(tetrahedralise)
     given = None if isinstance(pairing, str) else _ids(pairing, 2, "pairing")
-    return Mesh(_core.mesh(_points(points), _ids(quads, 4, "quads"), METHODS[method], int(order),
-                           allow_uncertified, threads, layers, mesher,
+    return Mesh(_core.mesh(_points(points), _ids(quads, 4, "quads"), METHODS[method], _count("order", order),
+                           _flag("allow_uncertified", allow_uncertified), _count("threads", threads),
+                           _count("layers", layers), mesher,
                            PAIRING_NUMBERS[GIVEN if given is not None else pairing], given,
-                           not certify, not core, allow_topological, float(budget), progress))
+                           not _flag("certify", certify), not _flag("core", core),
+                           _flag("allow_topological", allow_topological), float(budget), _progress(progress)))
 
 
 class _Mesher:
@@ -463,15 +560,11 @@ class _Mesher:
         made = self.tetrahedralise(_array(points, np.float64, 3), _array(triangles, np.int32, 3))
         if made is None:
             return None
-        new_points, tetrahedra = made
-        return (np.ascontiguousarray(new_points, np.float64).reshape(-1, 3).tobytes(),
-                _ids(tetrahedra, 4, "tetrahedra").tobytes())
-
-
-def _check_count(name, value):
-    if isinstance(value, bool) or not isinstance(value, int) or value < 0:
-        raise HexconError(f"{name} must be an integer of at least 0, not {value!r}",
-                          ErrorCode.BAD_ARGUMENT)
+        if not isinstance(made, (tuple, list)) or len(made) != 2:
+            raise _bad_option("what tetrahedralise returns", made, "None or (new points, tetrahedra)")
+        new_points, tetrahedra = (_plain(rows, name) for rows, name in zip(made, ("new points", "tetrahedra")))
+        return (_points(new_points if new_points.size else np.empty((0, 3))).tobytes(),
+                _ids(tetrahedra if tetrahedra.size else np.empty((0, 4)), 4, "tetrahedra").tobytes())
 
 
 def _refuse_option(option, method, takes_it):
@@ -483,26 +576,25 @@ def _refuse_option(option, method, takes_it):
 
 def check_options(method="auto", *, order=1, layers=0, threads=0, pairing="all", budget=0.0, core=True):
     """Raise BAD_ARGUMENT for options that mesh would refuse: for callers with work to do before."""
-    if method not in METHODS:
-        raise HexconError(f"there is no method {method!r}; there are {', '.join(METHODS)}",
+    if not isinstance(method, str) or method not in METHODS:
+        raise HexconError(f"there is no method {_shown(method)}; there are {', '.join(METHODS)}",
                           ErrorCode.BAD_ARGUMENT)
-    _check_count("layers", layers)
-    _check_count("threads", threads)
-    if layers:
+    _count("threads", threads)
+    if _count("layers", layers):
         _refuse_option("boundary layers", method, lambda one: one.layers)
-    if not core:
+    if not _flag("core", core):
         _refuse_option("to refuse a core", method, lambda one: one.core)
     if isinstance(pairing, str) and pairing not in PAIRINGS:
-        raise HexconError(f"there is no pairing {pairing!r}; there are {', '.join(PAIRINGS)}, or an "
+        raise HexconError(f"there is no pairing {_shown(pairing)}; there are {', '.join(PAIRINGS)}, or an "
                           "array of pairs", ErrorCode.BAD_ARGUMENT)
     if not (isinstance(pairing, str) and pairing == "all"):
         _refuse_option("a pairing", method, lambda one: one.pairing)
-    if isinstance(budget, bool) or not isinstance(budget, (int, float)) or not 0 <= budget < float("inf"):
-        raise HexconError(f"budget must be a number of seconds, not {budget!r}", ErrorCode.BAD_ARGUMENT)
-    if isinstance(order, bool) or order not in (1, 2):
-        raise HexconError(f"order must be 1 or 2, not {order!r}", ErrorCode.BAD_ARGUMENT)
+    _number("budget", budget, "a number of seconds")
+    if _count("order", order) not in (1, 2):
+        raise _bad_option("order", order, "1 or 2")
 
 
+@_named_memory
 def quality(points, hexes):
     """Scaled Jacobian of every hex. points (P, 3) float; hexes (H, 8) or (H, 20) int, VTK order.
 
@@ -511,6 +603,7 @@ def quality(points, hexes):
     return Quality(_array(_core.quality(_points(points), _hexes(hexes)), np.float64))
 
 
+@_named_memory
 def certify(points, hexes, quads, *, progress=None):
     """Prove a hex mesh, or say what is wrong: see Certificate. quads (n, 4): the surface, outward.
 
@@ -519,7 +612,7 @@ def certify(points, hexes, quads, *, progress=None):
     A mesh that fails raises nothing. Cost: linear in H.
     """
     return Certificate(_core.certify(_points(points), _hexes(hexes), _ids(quads, 4, "quads"),
-                                     progress))
+                                     _progress(progress)))
 
 
 def _boundary_points(hexes, point_count):
@@ -535,30 +628,30 @@ def _boundary_points(hexes, point_count):
 def _fixed_mask(fixed, hexes, point_count):
     if fixed is None:
         return _boundary_points(hexes, point_count)
-    fixed = _rectangular(fixed, "fixed")
+    fixed = _plain(fixed, "fixed")
+    if fixed.ndim != 1 or (fixed.dtype == bool and len(fixed) != point_count):
+        raise HexconError(f"fixed must have shape ({point_count},), or be a list of ids, not {fixed.shape}",
+                          ErrorCode.WRONG_SHAPE)
     if fixed.dtype == bool:
-        if fixed.shape != (point_count,):
-            raise HexconError(f"fixed must have shape ({point_count},), not {fixed.shape}",
-                              ErrorCode.WRONG_SHAPE)
-        return np.ascontiguousarray(fixed, dtype=np.uint8)
+        return fixed.astype(np.uint8)
     ids = _ids(fixed.reshape(-1, 1), 1, "fixed").ravel()
     if len(ids) and ids.max() >= point_count:
         raise HexconError(f"fixed names points outside 0 .. {point_count - 1} (listed)",
-                          ErrorCode.INDEX_OUT_OF_RANGE, ids[ids >= point_count])
+                          ErrorCode.INDEX_OUT_OF_RANGE, ids[ids >= point_count][:1000])
     mask = np.zeros(point_count, np.uint8)
     mask[ids] = 1
     return mask
 
 
 def _mesh(points, hexes):
-    """A mesh of order 1 whose ids are valid; points are a copy."""
-    points, hexes = _points(points), _ids(hexes, 8, "hexes")
-    outside = (hexes >= len(points)).any(axis=1)
+    """A mesh of order 1 whose ids are valid; both are copies, as others may change theirs."""
+    points, hexes = np.array(_points(points)), np.array(_ids(hexes, 8, "hexes"))
+    outside = ((hexes < 0) | (hexes >= len(points))).any(axis=1)
     if outside.any():
         raise HexconError(f"{int(outside.sum())} hexes (listed) name points outside 0 .. "
                           f"{len(points) - 1}", ErrorCode.INDEX_OUT_OF_RANGE,
-                          np.flatnonzero(outside))
-    return np.array(points), hexes
+                          np.flatnonzero(outside)[:1000])
+    return points, hexes
 
 
 @contextlib.contextmanager
@@ -572,6 +665,7 @@ def _best_when_cancelled(points):
         raise
 
 
+@_named_memory
 def optimize(points, hexes, fixed=None, *, rounds=0, target=1.0, mean_passes=0, threads=0,
              progress=None):
     """Untangle and improve a hex mesh of order 1 by moving its free points.
@@ -591,11 +685,12 @@ def optimize(points, hexes, fixed=None, *, rounds=0, target=1.0, mean_passes=0, 
     points, hexes = _mesh(points, hexes)
     mask = _fixed_mask(fixed, hexes, len(points))
     with _best_when_cancelled(points):
-        _core.optimize(points, hexes, mask, rounds, threads, float(target), mean_passes,
-                       progress)
+        _core.optimize(points, hexes, mask, _count("rounds", rounds), _count("threads", threads),
+                       _target(target), _count("mean_passes", mean_passes), _progress(progress))
     return points
 
 
+@_named_memory
 def morph(points, hexes, goal, fixed=None, *, target=1.0, progress=None):
     """Homotopy: take a valid hex mesh of order 1 to another boundary of the same connectivity.
 
@@ -620,10 +715,11 @@ def morph(points, hexes, goal, fixed=None, *, target=1.0, progress=None):
         raise HexconError(f"goal has {len(goal)} rows: give one for each of the {len(points)} points, "
                           f"or one for each of the {count} fixed ones", ErrorCode.WRONG_SHAPE)
     with _best_when_cancelled(points):
-        reached = _core.morph(points, hexes, mask, goal, boundary_only, float(target), progress)
+        reached = _core.morph(points, hexes, mask, goal, boundary_only, _target(target), _progress(progress))
     return points, reached
 
 
+@_named_memory
 def raise_order(points, hexes):
     """Put a point in the middle of every edge of a mesh of order 1.
 

@@ -7,7 +7,7 @@ packages="gcc libc6-dev make cmake ninja-build python3-dev python3-numpy python3
           gmsh python3-gmsh calculix-ccx python3-vtk9 python3-meshio xvfb xauth"
 [ -n "${FREECADCMD:-}" ] || packages="$packages freecad"
 if [ "$1" = test ]; then
-  packages="$packages libcmocka-dev python3-pytest python3-pytest-xdist tetgen imagemagick libxtst6 clang-format clang-tidy cppcheck"
+  packages="$packages libcmocka-dev python3-pytest python3-pytest-xdist tetgen imagemagick libxtst6 clang libclang-rt-dev clang-format clang-tidy cppcheck"
 fi
 if ! command -v dpkg-query >/dev/null; then
   echo "setup: no Debian packages here; these must be present:" $packages

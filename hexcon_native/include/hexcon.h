@@ -10,6 +10,8 @@
  *  - a hex mesh is `points` [point_count][3] and `hexes` [hex_count][8] in VTK_HEXAHEDRON order,
  *    positively oriented.
  *  - arrays are the caller's; the core copies what it keeps. No array may be NULL unless said so.
+ *    An array must not change while a call reads it, by the progress callback or another thread:
+ *    its ids are checked once.
  *  - every call returns a status; the words and the offending ids are in the context.
  *  - nothing is printed, nothing aborts, there is no global state: contexts may be used from
  *    different threads at once, one context from one thread at a time.
@@ -413,7 +415,8 @@ typedef struct hexcon_morph_options {
  * a step that cannot be untangled is halved.
  * @param points     [point_count][3] every hex positive
  * @param fixed      [point_count] non-zero: the point goes straight to its goal
- * @param goal       [point_count][3]; rows of free points are a first guess of where they go
+ * @param goal       [point_count][3]; rows of free points are a first guess of where they go; free
+ *                   points of no hex stay
  * @param options    NULL for defaults
  * @param positions  [point_count][3] receives the mesh at the end of the way: where the boundary
  *                   came to, its fixed points are at (1 - reached) points + reached goal

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
 /**
- * hexcon_native._core: the core's calls on contiguous buffers. hexcon_native/__init__.py checks
- * shapes and types, converts, and wraps the results; nothing else should import this module.
+ * hexcon_native._core: the core's calls on copies of contiguous buffers. hexcon_native/__init__.py
+ * checks shapes and types, converts, and wraps the results; nothing else should import this module.
  */
 #include "buffers.h"
 #include "mesher_call.h"
@@ -27,23 +27,22 @@ static PyObject *report_as_dict(const hexcon_surface_report *r) {
 
 static PyObject *check_surface(PyObject *module, PyObject *arguments) {
   (void)module;
-  Py_buffer points, quads;
-  if (!PyArg_ParseTuple(arguments, "y*y*", &points, &quads))
+  array_copy points, quads;
+  if (!PyArg_ParseTuple(arguments, "O&O&", copy_points, &points, copy_quads, &quads))
     return NULL;
   run r;
   hexcon_surface_report report;
   PyObject *result = NULL;
   if (run_begin(&r, Py_None)) {
     run_release(&r);
-    hexcon_status status =
-        hexcon_check_surface(r.context, points.buf, buffer_rows(&points, 3, sizeof(double)),
-                             quads.buf, buffer_rows(&quads, 4, sizeof(int32_t)), &report);
+    hexcon_status status = hexcon_check_surface(r.context, points.items, points.count, quads.items,
+                                                quads.count, &report);
     run_acquire(&r);
     if (run_end(&r, status))
       result = report_as_dict(&report);
   }
-  PyBuffer_Release(&points);
-  PyBuffer_Release(&quads);
+  array_copy_free(&points);
+  array_copy_free(&quads);
   return result;
 }
 
@@ -56,16 +55,15 @@ static PyObject *loops_as_tuple(const hexcon_loops *loops) {
 
 static PyObject *loops(PyObject *module, PyObject *arguments) {
   (void)module;
-  Py_buffer quads;
-  if (!PyArg_ParseTuple(arguments, "y*", &quads))
+  array_copy quads;
+  if (!PyArg_ParseTuple(arguments, "O&", copy_quads, &quads))
     return NULL;
   run r;
   PyObject *result = NULL;
   if (run_begin(&r, Py_None)) {
     hexcon_loops found;
     run_release(&r);
-    hexcon_status status =
-        hexcon_surface_loops(r.context, quads.buf, buffer_rows(&quads, 4, sizeof(int32_t)), &found);
+    hexcon_status status = hexcon_surface_loops(r.context, quads.items, quads.count, &found);
     run_acquire(&r);
     if (!status) {
       result = loops_as_tuple(&found);
@@ -74,77 +72,75 @@ static PyObject *loops(PyObject *module, PyObject *arguments) {
     if (!run_end(&r, status))
       Py_CLEAR(result);
   }
-  PyBuffer_Release(&quads);
+  array_copy_free(&quads);
   return result;
 }
 
 static PyObject *colouring(PyObject *module, PyObject *arguments) {
   (void)module;
-  Py_buffer quads;
+  array_copy quads;
   Py_ssize_t point_count;
-  if (!PyArg_ParseTuple(arguments, "y*n", &quads, &point_count))
+  if (!PyArg_ParseTuple(arguments, "O&n", copy_quads, &quads, &point_count))
     return NULL;
   run r;
-  PyObject *colours = PyByteArray_FromStringAndSize(NULL, point_count);
+  PyObject *colours = buffer_copy(NULL, (size_t)point_count, 1);
   if (colours && run_begin(&r, Py_None)) {
     uint8_t *out = (uint8_t *)PyByteArray_AsString(colours);
     run_release(&r);
-    hexcon_status status = hexcon_surface_colouring(
-        r.context, quads.buf, buffer_rows(&quads, 4, sizeof(int32_t)), (size_t)point_count, out);
+    hexcon_status status =
+        hexcon_surface_colouring(r.context, quads.items, quads.count, (size_t)point_count, out);
     run_acquire(&r);
     if (!run_end(&r, status))
       Py_CLEAR(colours);
   } else {
     Py_CLEAR(colours);
   }
-  PyBuffer_Release(&quads);
+  array_copy_free(&quads);
   return colours;
 }
 
 static PyObject *pairing(PyObject *module, PyObject *arguments) {
   (void)module;
-  Py_buffer points, quads; /* points: buf is NULL for None */
+  array_copy points, quads;
   Py_ssize_t point_count;
   PyObject *callback;
-  if (!PyArg_ParseTuple(arguments, "z*ny*O", &points, &point_count, &quads, &callback))
+  if (!PyArg_ParseTuple(arguments, "O&nO&O", copy_any_points, &points, &point_count, copy_quads,
+                        &quads, &callback))
     return NULL;
   run r;
-  size_t quad_count = buffer_rows(&quads, 4, sizeof(int32_t));
-  PyObject *pairs =
-      PyByteArray_FromStringAndSize(NULL, (Py_ssize_t)(quad_count / 2 * 2 * sizeof(int32_t)));
+  PyObject *pairs = buffer_copy(NULL, quads.count / 2, 2 * sizeof(int32_t));
   if (pairs && run_begin(&r, callback)) {
     int32_t *out = (int32_t *)(void *)PyByteArray_AsString(pairs);
     run_release(&r);
-    hexcon_status status = hexcon_surface_pairing(r.context, points.buf, (size_t)point_count,
-                                                  quads.buf, quad_count, out);
+    hexcon_status status = hexcon_surface_pairing(r.context, points.items,
+                                                  points.items ? points.count : (size_t)point_count,
+                                                  quads.items, quads.count, out);
     run_acquire(&r);
     if (!run_end(&r, status))
       Py_CLEAR(pairs);
   } else {
     Py_CLEAR(pairs);
   }
-  if (points.obj)
-    PyBuffer_Release(&points);
-  PyBuffer_Release(&quads);
+  array_copy_free(&points);
+  array_copy_free(&quads);
   return pairs;
 }
 
 static PyObject *pairing_of_crossings(PyObject *module, PyObject *arguments) {
   (void)module;
-  Py_buffer quads;
+  array_copy quads;
   Py_ssize_t point_count;
   PyObject *callback;
-  if (!PyArg_ParseTuple(arguments, "ny*O", &point_count, &quads, &callback))
+  if (!PyArg_ParseTuple(arguments, "nO&O", &point_count, copy_quads, &quads, &callback))
     return NULL;
   run r;
-  size_t quad_count = buffer_rows(&quads, 4, sizeof(int32_t)), pair_count = 0;
-  PyObject *pairs =
-      PyByteArray_FromStringAndSize(NULL, (Py_ssize_t)(quad_count / 2 * 2 * sizeof(int32_t)));
+  size_t pair_count = 0;
+  PyObject *pairs = buffer_copy(NULL, quads.count / 2, 2 * sizeof(int32_t));
   if (pairs && run_begin(&r, callback)) {
     int32_t *out = (int32_t *)(void *)PyByteArray_AsString(pairs);
     run_release(&r);
     hexcon_status status = hexcon_surface_pairing_of_crossings(
-        r.context, (size_t)point_count, quads.buf, quad_count, out, &pair_count);
+        r.context, (size_t)point_count, quads.items, quads.count, out, &pair_count);
     run_acquire(&r);
     if (!run_end(&r, status) ||
         PyByteArray_Resize(pairs, (Py_ssize_t)(2 * pair_count * sizeof(int32_t))))
@@ -152,31 +148,30 @@ static PyObject *pairing_of_crossings(PyObject *module, PyObject *arguments) {
   } else {
     Py_CLEAR(pairs);
   }
-  PyBuffer_Release(&quads);
+  array_copy_free(&quads);
   return pairs;
 }
 
 static PyObject *quality(PyObject *module, PyObject *arguments) {
   (void)module;
-  Py_buffer points, hexes;
-  if (!PyArg_ParseTuple(arguments, "y*y*", &points, &hexes))
+  array_copy points, hexes;
+  if (!PyArg_ParseTuple(arguments, "O&O&", copy_points, &points, copy_hexes, &hexes))
     return NULL;
   run r;
-  size_t hex_count = buffer_rows(&hexes, 8, sizeof(int32_t));
-  PyObject *values = PyByteArray_FromStringAndSize(NULL, (Py_ssize_t)(hex_count * sizeof(double)));
+  PyObject *values = buffer_copy(NULL, hexes.count, sizeof(double));
   if (values && run_begin(&r, Py_None)) {
     double *out = (double *)(void *)PyByteArray_AsString(values);
     run_release(&r);
-    hexcon_status status = hexcon_quality(
-        r.context, points.buf, buffer_rows(&points, 3, sizeof(double)), hexes.buf, hex_count, out);
+    hexcon_status status =
+        hexcon_quality(r.context, points.items, points.count, hexes.items, hexes.count, out);
     run_acquire(&r);
     if (!run_end(&r, status))
       Py_CLEAR(values);
   } else {
     Py_CLEAR(values);
   }
-  PyBuffer_Release(&points);
-  PyBuffer_Release(&hexes);
+  array_copy_free(&points);
+  array_copy_free(&hexes);
   return values;
 }
 
@@ -188,18 +183,17 @@ static PyObject *embedding_as_dict(const hexcon_embedding *e) {
 
 static PyObject *embedding(PyObject *module, PyObject *arguments) {
   (void)module;
-  Py_buffer points, quads;
+  array_copy points, quads;
   PyObject *callback;
-  if (!PyArg_ParseTuple(arguments, "y*y*O", &points, &quads, &callback))
+  if (!PyArg_ParseTuple(arguments, "O&O&O", copy_points, &points, copy_quads, &quads, &callback))
     return NULL;
   run r;
   PyObject *result = NULL;
   if (run_begin(&r, callback)) {
     hexcon_embedding found;
     run_release(&r);
-    hexcon_status status =
-        hexcon_surface_embedding(r.context, points.buf, buffer_rows(&points, 3, sizeof(double)),
-                                 quads.buf, buffer_rows(&quads, 4, sizeof(int32_t)), &found);
+    hexcon_status status = hexcon_surface_embedding(r.context, points.items, points.count,
+                                                    quads.items, quads.count, &found);
     run_acquire(&r);
     if (!status) {
       result = embedding_as_dict(&found);
@@ -208,8 +202,8 @@ static PyObject *embedding(PyObject *module, PyObject *arguments) {
     if (!run_end(&r, status))
       Py_CLEAR(result);
   }
-  PyBuffer_Release(&points);
-  PyBuffer_Release(&quads);
+  array_copy_free(&points);
+  array_copy_free(&quads);
   return result;
 }
 
@@ -228,19 +222,18 @@ static PyObject *certificate_as_dict(const hexcon_certificate *c) {
 
 static PyObject *certify(PyObject *module, PyObject *arguments) {
   (void)module;
-  Py_buffer points, hexes, quads;
+  array_copy points, hexes, quads;
   PyObject *callback;
-  if (!PyArg_ParseTuple(arguments, "y*y*y*O", &points, &hexes, &quads, &callback))
+  if (!PyArg_ParseTuple(arguments, "O&O&O&O", copy_points, &points, copy_hexes, &hexes, copy_quads,
+                        &quads, &callback))
     return NULL;
   run r;
   PyObject *result = NULL;
   if (run_begin(&r, callback)) {
     hexcon_certificate certificate;
     run_release(&r);
-    hexcon_status status =
-        hexcon_certify(r.context, points.buf, buffer_rows(&points, 3, sizeof(double)), hexes.buf,
-                       buffer_rows(&hexes, 8, sizeof(int32_t)), quads.buf,
-                       buffer_rows(&quads, 4, sizeof(int32_t)), &certificate);
+    hexcon_status status = hexcon_certify(r.context, points.items, points.count, hexes.items,
+                                          hexes.count, quads.items, quads.count, &certificate);
     run_acquire(&r);
     if (!status) {
       result = certificate_as_dict(&certificate);
@@ -249,63 +242,73 @@ static PyObject *certify(PyObject *module, PyObject *arguments) {
     if (!run_end(&r, status))
       Py_CLEAR(result);
   }
-  PyBuffer_Release(&points);
-  PyBuffer_Release(&hexes);
-  PyBuffer_Release(&quads);
+  array_copy_free(&points);
+  array_copy_free(&hexes);
+  array_copy_free(&quads);
   return result;
 }
 
-/** Positions are written in place: what they hold when the call is cancelled is of use. */
+/** The core reads as many rows of these as there are points. */
+static bool is_of_points(const array_copy *array, const array_copy *points) {
+  if (array->count != points->count)
+    PyErr_Format(PyExc_ValueError, "%zu rows for %zu points", array->count, points->count);
+  return array->count == points->count;
+}
+
+/** What was reached is written over the points, also when the call is cancelled. */
 static PyObject *optimize(PyObject *module, PyObject *arguments) {
   (void)module;
-  Py_buffer positions, hexes, fixed;
+  array_copy positions, hexes, fixed;
   hexcon_optimize_options options = {0};
-  PyObject *callback, *result = NULL;
-  if (!PyArg_ParseTuple(arguments, "w*y*y*iidiO", &positions, &hexes, &fixed, &options.max_rounds,
-                        &options.threads, &options.target, &options.mean_passes, &callback))
+  PyObject *given, *callback, *result = NULL;
+  if (!PyArg_ParseTuple(arguments, "OO&O&iidiO", &given, copy_hexes, &hexes, copy_flags, &fixed,
+                        &options.max_rounds, &options.threads, &options.target,
+                        &options.mean_passes, &callback))
     return NULL;
   run r;
-  if (run_begin(&r, callback)) {
+  if (copy_points(given, &positions) && is_of_points(&fixed, &positions) &&
+      run_begin(&r, callback)) {
     run_release(&r);
-    hexcon_status status = hexcon_optimize(
-        r.context, positions.buf, buffer_rows(&positions, 3, sizeof(double)), hexes.buf,
-        buffer_rows(&hexes, 8, sizeof(int32_t)), fixed.buf, &options, positions.buf);
+    hexcon_status status = hexcon_optimize(r.context, positions.items, positions.count, hexes.items,
+                                           hexes.count, fixed.items, &options, positions.items);
     run_acquire(&r);
-    if (run_end(&r, status))
+    bool written = r.interrupted || write_points(&positions, given);
+    if (run_end(&r, status) && written)
       result = Py_BuildValue("");
   }
-  PyBuffer_Release(&positions);
-  PyBuffer_Release(&hexes);
-  PyBuffer_Release(&fixed);
+  array_copy_free(&positions);
+  array_copy_free(&hexes);
+  array_copy_free(&fixed);
   return result;
 }
 
 static PyObject *morph(PyObject *module, PyObject *arguments) {
   (void)module;
-  Py_buffer positions, hexes, fixed, goal;
+  array_copy positions, hexes, fixed, goal;
   hexcon_morph_options options = {0};
   int boundary_only;
   double reached = 0;
-  PyObject *callback, *result = NULL;
-  if (!PyArg_ParseTuple(arguments, "w*y*y*y*pdO", &positions, &hexes, &fixed, &goal, &boundary_only,
-                        &options.target, &callback))
+  PyObject *given, *callback, *result = NULL;
+  if (!PyArg_ParseTuple(arguments, "OO&O&O&pdO", &given, copy_hexes, &hexes, copy_flags, &fixed,
+                        copy_points, &goal, &boundary_only, &options.target, &callback))
     return NULL;
   options.boundary_only = boundary_only != 0;
   run r;
-  if (run_begin(&r, callback)) {
+  if (copy_points(given, &positions) && is_of_points(&fixed, &positions) &&
+      is_of_points(&goal, &positions) && run_begin(&r, callback)) {
     run_release(&r);
     hexcon_status status =
-        hexcon_morph(r.context, positions.buf, buffer_rows(&positions, 3, sizeof(double)),
-                     hexes.buf, buffer_rows(&hexes, 8, sizeof(int32_t)), fixed.buf, goal.buf,
-                     &options, positions.buf, &reached);
+        hexcon_morph(r.context, positions.items, positions.count, hexes.items, hexes.count,
+                     fixed.items, goal.items, &options, positions.items, &reached);
     run_acquire(&r);
-    if (run_end(&r, status))
+    bool written = r.interrupted || write_points(&positions, given);
+    if (run_end(&r, status) && written)
       result = Py_BuildValue("d", reached);
   }
-  PyBuffer_Release(&positions);
-  PyBuffer_Release(&hexes);
-  PyBuffer_Release(&fixed);
-  PyBuffer_Release(&goal);
+  array_copy_free(&positions);
+  array_copy_free(&hexes);
+  array_copy_free(&fixed);
+  array_copy_free(&goal);
   return result;
 }
 
@@ -316,28 +319,26 @@ static PyObject *second_order_as_tuple(const hexcon_second_order *raised, size_t
 
 static PyObject *raise_order(PyObject *module, PyObject *arguments) {
   (void)module;
-  Py_buffer points, hexes;
-  if (!PyArg_ParseTuple(arguments, "y*y*", &points, &hexes))
+  array_copy points, hexes;
+  if (!PyArg_ParseTuple(arguments, "O&O&", copy_points, &points, copy_hexes, &hexes))
     return NULL;
   run r;
   PyObject *result = NULL;
   if (run_begin(&r, Py_None)) {
     hexcon_second_order raised;
-    size_t hex_count = buffer_rows(&hexes, 8, sizeof(int32_t));
     run_release(&r);
-    hexcon_status status =
-        hexcon_raise_order(r.context, points.buf, buffer_rows(&points, 3, sizeof(double)),
-                           hexes.buf, hex_count, &raised);
+    hexcon_status status = hexcon_raise_order(r.context, points.items, points.count, hexes.items,
+                                              hexes.count, &raised);
     run_acquire(&r);
     if (!status) {
-      result = second_order_as_tuple(&raised, hex_count);
+      result = second_order_as_tuple(&raised, hexes.count);
       hexcon_second_order_free(r.context, &raised);
     }
     if (!run_end(&r, status))
       Py_CLEAR(result);
   }
-  PyBuffer_Release(&points);
-  PyBuffer_Release(&hexes);
+  array_copy_free(&points);
+  array_copy_free(&hexes);
   return result;
 }
 
@@ -376,14 +377,15 @@ static PyObject *mesh_as_dict(const hexcon_mesh *mesh) {
 
 static PyObject *mesh(PyObject *module, PyObject *arguments) {
   (void)module;
-  Py_buffer points, quads, pairs; /* pairs: buf is NULL for None */
+  array_copy points, quads, pairs;
   int method, order, allow_uncertified, threads, layers, pairing, skip_certificate, no_core,
       allow_topological;
   double budget;
   PyObject *callback, *tetrahedralise;
-  if (!PyArg_ParseTuple(arguments, "y*y*iipiiOiz*pppdO", &points, &quads, &method, &order,
-                        &allow_uncertified, &threads, &layers, &tetrahedralise, &pairing, &pairs,
-                        &skip_certificate, &no_core, &allow_topological, &budget, &callback))
+  if (!PyArg_ParseTuple(arguments, "O&O&iipiiOiO&pppdO", copy_points, &points, copy_quads, &quads,
+                        &method, &order, &allow_uncertified, &threads, &layers, &tetrahedralise,
+                        &pairing, copy_pairs, &pairs, &skip_certificate, &no_core,
+                        &allow_topological, &budget, &callback))
     return NULL;
   run r;
   PyObject *result = NULL;
@@ -398,16 +400,15 @@ static PyObject *mesh(PyObject *module, PyObject *arguments) {
                                    .tetrahedralise = tetrahedralise == Py_None ? NULL : call_mesher,
                                    .tetrahedralise_user = &mesher,
                                    .pairing = (hexcon_pairing)pairing,
-                                   .pairs = pairs.buf,
-                                   .pair_count = (size_t)pairs.len / (2 * sizeof(int32_t)),
+                                   .pairs = pairs.items,
+                                   .pair_count = pairs.count,
                                    .skip_certificate = skip_certificate != 0,
                                    .no_core = no_core != 0,
                                    .allow_topological = allow_topological != 0,
                                    .budget = budget};
     run_release(&r);
-    hexcon_status status =
-        hexcon_mesh_surface(r.context, points.buf, buffer_rows(&points, 3, sizeof(double)),
-                            quads.buf, buffer_rows(&quads, 4, sizeof(int32_t)), &options, &made);
+    hexcon_status status = hexcon_mesh_surface(r.context, points.items, points.count, quads.items,
+                                               quads.count, &options, &made);
     run_acquire(&r);
     mesher_call_release(&mesher);
     if (!status)
@@ -416,10 +417,9 @@ static PyObject *mesh(PyObject *module, PyObject *arguments) {
     if (!run_end(&r, status))
       Py_CLEAR(result);
   }
-  if (pairs.obj)
-    PyBuffer_Release(&pairs);
-  PyBuffer_Release(&points);
-  PyBuffer_Release(&quads);
+  array_copy_free(&pairs);
+  array_copy_free(&points);
+  array_copy_free(&quads);
   return result;
 }
 

@@ -63,7 +63,7 @@ static void raise_error(const hexcon_context *context, hexcon_status status) {
 }
 
 bool run_end(run *r, hexcon_status status) {
-  if (status && !r->interrupted)
+  if (status && !r->interrupted && !PyErr_Occurred())
     raise_error(r->context, status);
   hexcon_context_free(r->context);
   return status == HEXCON_OK && !PyErr_Occurred();

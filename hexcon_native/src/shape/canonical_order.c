@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
 #include "canonical_order.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -26,7 +27,9 @@ static hexcon_status order_points(hexcon_context *context, const double *points,
   if (!placed)
     return HEXCON_OUT_OF_MEMORY;
   for (size_t v = 0; v < out->point_count; v++) {
-    placed[v].place = vector_dot(slant, points + 3 * v);
+    double place = vector_dot(slant, points + 3 * v);
+    placed[v].place =
+        isnan(place) ? 0 : place; /* a sum beyond all numbers; sorting needs an order */
     placed[v].id = (int32_t)v;
   }
   qsort(placed, out->point_count, sizeof *placed, compare_points);

@@ -2,6 +2,7 @@
 #include "improve.h"
 
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -45,6 +46,7 @@ typedef struct improvement {
   double distance;      /* of sharpen_patch */
   double floor;         /* of raise_mean_patch */
   progress_stage stage; /* for the user */
+  atomic_bool moved;    /* the pass has made some region better */
 } improvement;
 
 /** What is never made worse, in this order. */
@@ -157,7 +159,9 @@ static hexcon_status improve_region(void *user, hexcon_context *context, int wor
   status = m->kind == REPAIR ? repair(context, m, &p) : optimise(context, m, &p);
   write_back(m, &p);
   standing after = summarise(m, hexes, hex_count);
-  if (!is_better(m, after, before)) {
+  if (is_better(m, after, before)) {
+    atomic_store(&m->moved, true);
+  } else {
     memcpy(p.x, start, bytes);
     write_back(m, &p);
   }
@@ -168,8 +172,9 @@ static hexcon_status improve_region(void *user, hexcon_context *context, int wor
 
 /** Work on all groups, in batches of regions that do not meet. */
 static hexcon_status improve_groups(hexcon_context *context, improvement *m, int layers) {
-  hexcon_status status = HEXCON_OK;
+  hexcon_status status = context_progress(context, m->stage, 0);
   memset(m->postponed, 1, m->groups.count);
+  atomic_store(&m->moved, false);
   for (size_t left = m->groups.count; !status && left > 0;) {
     region_set_clear(&m->set);
     for (size_t g = 0; g < m->groups.count; g++)
@@ -292,6 +297,10 @@ static hexcon_status sharpen_mesh(hexcon_context *context, improvement *m, int r
     m->distance = pass->distance;
     hex_groups_fill(&m->set, m->seeds, count, SHARPENED_AT_ONCE, &m->groups);
     status = improve_groups(context, m, pass->layers);
+    if (*done + 1 >= SHARPENINGS && !atomic_load(&m->moved)) {
+      ++*done; /* all that follow would be alike */
+      break;
+    }
   }
   return status;
 }
@@ -313,6 +322,8 @@ static hexcon_status raise_mean(hexcon_context *context, improvement *m, int pas
       m->floor = fmax(fmin(worst, fmax(floor_part * worst, lowest_floor)), least_floor);
     hex_groups_fill(&m->set, m->seeds, count, SHARPENED_AT_ONCE, &m->groups);
     status = improve_groups(context, m, 0);
+    if (!atomic_load(&m->moved))
+      break; /* all that follow would be alike */
   }
   return status;
 }

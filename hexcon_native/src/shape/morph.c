@@ -20,6 +20,21 @@ typedef struct journey {
   double fraction; /* of the way done, where `valid` is */
 } journey;
 
+/** Points that move freely: no hex holds the others of those that are not fixed.
+ * @param slots  [point_count] all -1, and so again afterwards */
+static size_t find_free_points(size_t point_count, const int32_t *hexes, size_t hex_count,
+                               const uint8_t *fixed, int32_t *slots, int32_t *free_points) {
+  size_t count = 0;
+  for (size_t i = 0; i < 8 * hex_count; i++)
+    slots[hexes[i]] = 0;
+  for (size_t v = 0; v < point_count; v++) {
+    if (!fixed[v] && slots[v] == 0)
+      free_points[count++] = (int32_t)v;
+    slots[v] = -1;
+  }
+  return count;
+}
+
 /** The whole mesh, hexes of fixed points only as well: they too must stay positive. */
 static hexcon_status copy_mesh(hexcon_context *context, const double *points, size_t point_count,
                                const int32_t *hexes, size_t hex_count, const uint8_t *fixed,
@@ -29,11 +44,8 @@ static hexcon_status copy_mesh(hexcon_context *context, const double *points, si
   int32_t *ids = context_allocate(context, hex_count, sizeof *ids);
   hexcon_status status = slots && free_points && ids ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
   if (!status) {
-    size_t free_count = 0;
     memset(slots, -1, point_count * sizeof *slots);
-    for (size_t v = 0; v < point_count; v++)
-      if (!fixed[v])
-        free_points[free_count++] = (int32_t)v;
+    size_t free_count = find_free_points(point_count, hexes, hex_count, fixed, slots, free_points);
     for (size_t h = 0; h < hex_count; h++)
       ids[h] = (int32_t)h;
     status = patch_copy(context, hexes, points, free_points, free_count, ids, hex_count, slots, p);
@@ -165,6 +177,19 @@ static hexcon_status check_morph(hexcon_context *context, const double *points, 
   return status;
 }
 
+/** Where the way ended. Points of no hex have no part in it: those that are fixed are put where the
+ * others are, the free ones stay.
+ * @param positions  holds the start */
+static void write_positions(const journey *j, size_t point_count, const uint8_t *fixed,
+                            const double *goal, double *positions) {
+  for (size_t v = 0; v < point_count; v++)
+    for (size_t i = 3 * v; fixed[v] && i < 3 * v + 3; i++)
+      positions[i] =
+          j->fraction < 1 ? (1 - j->fraction) * positions[i] + j->fraction * goal[i] : goal[i];
+  for (size_t i = 0; i < j->p.point_count; i++)
+    memcpy(positions + 3 * (size_t)j->p.points[i], j->p.x + 3 * i, 3 * sizeof *positions);
+}
+
 hexcon_status hexcon_morph(hexcon_context *context, const double *points, size_t point_count,
                            const int32_t *hexes, size_t hex_count, const uint8_t *fixed,
                            const double *goal, const hexcon_morph_options *options,
@@ -193,8 +218,7 @@ hexcon_status hexcon_morph(hexcon_context *context, const double *points, size_t
   if (!status)
     status = finish(context, &j, chosen.target > 0 ? chosen.target : 1);
   if (j.fraction > 0)
-    for (size_t i = 0; i < j.p.point_count; i++)
-      memcpy(positions + 3 * (size_t)j.p.points[i], j.p.x + 3 * i, 3 * sizeof *positions);
+    write_positions(&j, point_count, fixed, goal, positions);
   *reached = j.fraction;
   newton_free(context, &j.n);
   patch_free(context, &j.p);

@@ -23,16 +23,19 @@ static void number_corners(const int32_t *hexes, const double *positions, int32_
   }
 }
 
-/** At most 8 points a hex, and no more than there are. */
-static size_t most_points(const int32_t *hexes, const int32_t *hex_ids, size_t hex_count,
-                          int32_t *slots) {
+/** Corners of the hexes beside the free points, which have slots already; those are left as they
+ * are. */
+static size_t count_others(const int32_t *hexes, const int32_t *hex_ids, size_t hex_count,
+                           int32_t *slots) {
+  const int32_t counted = INT32_MAX;
   size_t count = 0;
   for (int pass = 0; pass < 2; pass++)
     for (size_t h = 0; h < hex_count; h++)
       for (size_t c = 0; c < 8; c++) {
         int32_t *slot = &slots[hexes[8 * (size_t)hex_ids[h] + c]];
         count += pass == 0 && *slot < 0;
-        *slot = pass == 0 ? 0 : -1;
+        if (*slot == (pass == 0 ? -1 : counted))
+          *slot = pass == 0 ? counted : -1;
       }
   return count;
 }
@@ -40,7 +43,9 @@ static size_t most_points(const int32_t *hexes, const int32_t *hex_ids, size_t h
 hexcon_status patch_copy(hexcon_context *context, const int32_t *hexes, const double *positions,
                          const int32_t *free_points, size_t free_count, const int32_t *hex_ids,
                          size_t hex_count, int32_t *slots, patch *out) {
-  size_t most = most_points(hexes, hex_ids, hex_count, slots);
+  for (size_t i = 0; i < free_count; i++)
+    slots[free_points[i]] = (int32_t)i;
+  size_t most = free_count + count_others(hexes, hex_ids, hex_count, slots);
   *out = (patch){.free_count = free_count, .point_count = free_count, .hex_count = hex_count};
   out->points = context_allocate(context, most, sizeof *out->points);
   out->hexes = context_allocate(context, hex_count, sizeof *out->hexes);
@@ -48,12 +53,13 @@ hexcon_status patch_copy(hexcon_context *context, const int32_t *hexes, const do
   out->x = context_allocate(context, most, 3 * sizeof *out->x);
   out->stretch = context_allocate(context, hex_count, PATCH_EDGES * sizeof *out->stretch);
   out->watched = context_allocate_zeroed(context, hex_count, sizeof *out->watched);
-  if (!out->points || !out->hexes || !out->corners || !out->x || !out->stretch || !out->watched)
+  if (!out->points || !out->hexes || !out->corners || !out->x || !out->stretch || !out->watched) {
+    for (size_t i = 0; i < free_count; i++)
+      slots[free_points[i]] = -1;
     return HEXCON_OUT_OF_MEMORY;
+  }
   memcpy(out->points, free_points, free_count * sizeof *free_points);
   memcpy(out->hexes, hex_ids, hex_count * sizeof *hex_ids);
-  for (size_t i = 0; i < free_count; i++)
-    slots[free_points[i]] = (int32_t)i;
   number_corners(hexes, positions, slots, out);
   return HEXCON_OK;
 }

@@ -120,13 +120,16 @@ hexcon_status closure_tetrahedra(hexcon_context *context, const double *inner, s
   if (!options->tetrahedralise(options->tetrahedralise_user, inner, inner_count, triangles,
                                triangle_count, &made))
     return context_progress(context, STAGE_TETRAHEDRA_INSIDE, 1); /* cancelled, or nothing found */
-  if (made.tetrahedron_count > CONTEXT_MAX_COUNT / 32 || made.point_count > CONTEXT_MAX_COUNT / 2)
+  if (made.tetrahedron_count > CONTEXT_MAX_COUNT / 32 || made.point_count > CONTEXT_MAX_COUNT / 2 ||
+      (made.tetrahedron_count && !made.tetrahedra) || (made.point_count && !made.points))
     return HEXCON_OK;
   status = allocate(context, made.tetrahedron_count, made.point_count, out);
   if (status)
     return status;
-  memcpy(out->tetrahedra, made.tetrahedra, 4 * made.tetrahedron_count * sizeof *out->tetrahedra);
-  memcpy(out->points, made.points, 3 * made.point_count * sizeof *out->points);
+  if (made.tetrahedron_count)
+    memcpy(out->tetrahedra, made.tetrahedra, 4 * made.tetrahedron_count * sizeof *out->tetrahedra);
+  if (made.point_count)
+    memcpy(out->points, made.points, 3 * made.point_count * sizeof *out->points);
   bool used = false;
   if (!are_positive(inner, inner_count, out))
     return HEXCON_OK;
