@@ -12,6 +12,7 @@
 #include "mesh_smallest.h"
 #include "mesh_swept.h"
 #include "mesh_topological.h"
+#include "surface/numbering.h"
 #include "surface/odd_cycles.h"
 #include "surface/shells.h"
 #include "verify/certificate.h"
@@ -239,6 +240,16 @@ static void tell(hexcon_context *context, const hexcon_mesh *mesh) {
   context_tell_mesh(context, mesh->hex_count, 0, worst);
 }
 
+/** Give the mesh the caller's ids, points and quads: before it is proved, so that the proof is of
+ * what the caller gets. */
+static void name_as_given(const numbering *names, hexcon_mesh *mesh) {
+  memcpy(mesh->points, names->given_points, 3 * names->point_count * sizeof *mesh->points);
+  memcpy(mesh->quads, names->given_quads, 4 * names->quad_count * sizeof *mesh->quads);
+  numbering_name_points(names, mesh->hexes, 8 * mesh->hex_count);
+  numbering_name_points(names, mesh->quads + 4 * names->quad_count,
+                        4 * (mesh->quad_count - names->quad_count));
+}
+
 /** By one method, certified or not. */
 static hexcon_status fill_by_method(hexcon_context *context, const surface *s,
                                     const hexcon_mesh_options *options, hexcon_mesh *mesh) {
@@ -249,6 +260,8 @@ static hexcon_status fill_by_method(hexcon_context *context, const surface *s,
   memcpy(mesh->quads, s->quads, 4 * s->quad_count * sizeof *mesh->quads);
   mesh_note(mesh, "turned outward", s->turned);
   hexcon_status status = construct(context, s, options, mesh);
+  if (!status)
+    name_as_given(s->names, mesh);
   if (status || options->skip_certificate)
     return status;
   status = measure(context, mesh);
@@ -291,6 +304,60 @@ static hexcon_status explain_colours(hexcon_context *context, hexcon_fillable fi
           : "Whether the surface has a hex mesh at all could not be told");
 }
 
+/** Fill a surface that is numbered canonically. */
+static hexcon_status mesh_numbered(hexcon_context *context, const surface *s,
+                                   const hexcon_mesh_options *options, double start,
+                                   hexcon_mesh *made) {
+  hexcon_fillable fillable = HEXCON_FILLABLE_UNKNOWN;
+  hexcon_status status = check_fillable(context, s, options, &fillable);
+  double checks = mesh_clock() - start;
+  if (!status)
+    status = fill_surface(context, s, options, made);
+  if (status == HEXCON_NOT_BIPARTITE)
+    status = explain_colours(context, fillable);
+  mesh_note(made, "seconds checks", checks);
+  return status;
+}
+
+/** With the caller's pairs in canonical quads. */
+static hexcon_status mesh_with_pairs(hexcon_context *context, const surface *s,
+                                     const hexcon_mesh_options *options, double start,
+                                     hexcon_mesh *made) {
+  const bool given = options->pairing == HEXCON_PAIRING_GIVEN;
+  const size_t count = given ? options->pair_count : 0;
+  int32_t *pairs = context_allocate(context, count, 2 * sizeof *pairs);
+  if (!pairs)
+    return HEXCON_OUT_OF_MEMORY;
+  hexcon_mesh_options numbered = *options;
+  numbered.pairs = pairs;
+  numbering_rank_quads(s->names, options->pairs, 2 * count, pairs);
+  hexcon_status status = mesh_numbered(context, s, &numbered, start, made);
+  context_free(context, pairs);
+  return status;
+}
+
+/** Number the surface canonically and fill it. @param given its quads and adjacency go */
+static hexcon_status mesh_built(hexcon_context *context, surface *given,
+                                const hexcon_mesh_options *options, double start,
+                                hexcon_mesh **mesh) {
+  numbering names;
+  surface s;
+  hexcon_mesh *made = NULL;
+  hexcon_status status = numbering_new(context, given, &names, &s);
+  surface_free(context, given);
+  if (!status) {
+    made = context_allocate_zeroed(context, 1, sizeof *made);
+    status = made ? mesh_with_pairs(context, &s, options, start, made) : HEXCON_OUT_OF_MEMORY;
+    numbering_name_elements(context, &names, status);
+  }
+  numbering_free(context, &names, &s);
+  if (status)
+    hexcon_mesh_free(context, made);
+  else
+    *mesh = made;
+  return status;
+}
+
 hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points, size_t point_count,
                                   const int32_t *quads, size_t quad_count,
                                   const hexcon_mesh_options *options, hexcon_mesh **mesh) {
@@ -300,28 +367,13 @@ hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points,
   hexcon_status status = check_options(context, &chosen);
   if (status)
     return status;
-  surface s;
-  hexcon_fillable fillable = HEXCON_FILLABLE_UNKNOWN;
+  surface given;
   double start = mesh_clock();
   context->deadline = chosen.budget > 0 ? start + chosen.budget : 0;
-  status = surface_build(context, points, point_count, quads, quad_count, &s);
+  status = surface_build(context, points, point_count, quads, quad_count, &given);
   if (!status)
-    status = check_fillable(context, &s, &chosen, &fillable);
-  hexcon_mesh *made = status ? NULL : context_allocate_zeroed(context, 1, sizeof *made);
-  if (!status && !made)
-    status = HEXCON_OUT_OF_MEMORY;
-  if (!status) {
-    double checks = mesh_clock() - start;
-    status = fill_surface(context, &s, &chosen, made);
-    if (status == HEXCON_NOT_BIPARTITE)
-      status = explain_colours(context, fillable);
-    mesh_note(made, "seconds checks", checks);
-  }
-  surface_free(context, &s);
+    status = mesh_built(context, &given, &chosen, start, mesh);
+  surface_free(context, &given);
   context->deadline = 0;
-  if (status)
-    hexcon_mesh_free(context, made);
-  else
-    *mesh = made;
   return status;
 }

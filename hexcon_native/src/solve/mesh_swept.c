@@ -8,6 +8,7 @@
 #include "quality_bound.h"
 #include "shape/improve.h"
 #include "shape/sweep_placement.h"
+#include "surface/numbering.h"
 #include "sweep_choice.h"
 #include "verify/scaled_jacobian.h"
 
@@ -135,7 +136,7 @@ static hexcon_status fill_best(hexcon_context *context, const surface *s, sweep_
   return status;
 }
 
-static hexcon_status fail(hexcon_context *context, const sweep_choice *choice) {
+static hexcon_status fail(hexcon_context *context, const surface *s, const sweep_choice *choice) {
   for (int i = 0; i < 2; i++)
     if (choice->clash[i] >= 0)
       context_add_element(context, choice->clash[i]);
@@ -146,7 +147,8 @@ static hexcon_status fail(hexcon_context *context, const sweep_choice *choice) {
                         "%zu ways to sweep fits; in the most promising one %s (quad %d against "
                         "quad %d)",
                         choice->loops.count, choice->simple_loop_count, choice->strip_tried_count,
-                        why, choice->clash[0], choice->clash[1]);
+                        why, numbering_quad_name(s, choice->clash[0]),
+                        numbering_quad_name(s, choice->clash[1]));
   return context_fail(context, HEXCON_NOT_SWEPT,
                       "not swept: of %zu dual loops %zu do not cross themselves, and none of %zu "
                       "ways to sweep fits: %s",
@@ -185,7 +187,7 @@ hexcon_status mesh_swept(hexcon_context *context, const surface *s, hexcon_mesh 
     mesh_note_seconds(mesh, "construction and placement", start);
   } else {
     filling_free(context, &best);
-    status = status ? status : fail(context, &choice);
+    status = status ? status : fail(context, s, &choice);
   }
   sweep_choice_free(context, &choice);
   return status;
