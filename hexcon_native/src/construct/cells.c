@@ -68,8 +68,8 @@ static void cell_numbering_free(hexcon_context *context, cell_numbering *n) {
 
 /** Number everything that cells share; *next is the first free id. */
 static hexcon_status cell_numbering_new(hexcon_context *context, const surface *s,
-                                   const uint8_t *colours, const int32_t *partner, size_t *next,
-                                   cell_numbering *out) {
+                                        const uint8_t *colours, const int32_t *partner,
+                                        size_t *next, cell_numbering *out) {
   size_t corners = 4 * s->quad_count;
   memset(out, 0, sizeof *out);
   out->upright = context_allocate(context, s->point_count, sizeof *out->upright);
@@ -155,22 +155,29 @@ static void write_triangles(const surface *s, const cell_numbering *n, int32_t b
   }
 }
 
-static int32_t *write_layers(const surface *s, size_t layers, int32_t *hex) {
+static hexcon_status write_layers(hexcon_context *context, const surface *s, size_t layers,
+                                  int32_t *hex) {
+  hexcon_status status = HEXCON_OK;
   for (size_t layer = 0; layer < layers; layer++)
-    for (size_t q = 0; q < s->quad_count; q++, hex += 8)
+    for (size_t q = 0; !status && q < s->quad_count; q++, hex += 8) {
       for (size_t i = 0; i < 4; i++) {
         hex[4 + i] = (int32_t)(layer * s->point_count) + s->quads[4 * q + i];
         hex[i] = hex[4 + i] + (int32_t)s->point_count;
       }
-  return hex;
+      status = context_pass(context, q);
+    }
+  return status;
 }
 
-static void write_cells(const surface *s, const uint8_t *colours, const int32_t *partner,
-                        const cell_numbering *n, const point_role *roles, cell_complex *cells) {
+static hexcon_status write_cells(hexcon_context *context, const surface *s, const uint8_t *colours,
+                                 const int32_t *partner, const cell_numbering *n,
+                                 const point_role *roles, cell_complex *cells) {
   const hex_template *t = cells->domino;
-  int32_t *hex = write_layers(s, cells->layers, cells->hexes), *points = cells->cell_points;
+  int32_t *hex = cells->hexes + 8 * cells->layers * s->quad_count, *points = cells->cell_points;
   size_t inside = 0;
-  for (size_t q = 0; q < s->quad_count; q++) {
+  hexcon_status status = write_layers(context, s, cells->layers, cells->hexes);
+  for (size_t q = 0; !status && q < s->quad_count; q++) {
+    status = context_pass(context, q);
     if (colours[half_edge_start(s, partner[q])] == 0)
       continue; /* the pair's other quad has the half-edge from white to black */
     for (size_t i = 0; i < t->point_count; i++)
@@ -183,6 +190,7 @@ static void write_cells(const surface *s, const uint8_t *colours, const int32_t 
     write_triangles(s, n, partner[q], true, cells);
   }
   cells->point_count = n->first_inside + inside;
+  return status;
 }
 
 static hexcon_status allocate_tables(hexcon_context *context, const surface *s,
@@ -222,7 +230,7 @@ hexcon_status cells_build(hexcon_context *context, const surface *s, const uint8
   if (!status)
     status = cell_numbering_new(context, s, colours, partner, &next, &n);
   if (!status)
-    write_cells(s, colours, partner, &n, roles, out);
+    status = write_cells(context, s, colours, partner, &n, roles, out);
   cell_numbering_free(context, &n);
   context_free(context, roles);
   return status;

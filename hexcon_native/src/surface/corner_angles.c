@@ -58,8 +58,7 @@ hexcon_status surface_check_fillable(hexcon_context *context, const surface *s, 
     if (unfillable)
       add_words(&corners, ", ", quad, angle * degrees);
     if (doubled)
-      add_words(&shared, ", ", quad,
-                surface_corner_angle(s, half_edge_turn(h, 1)) * degrees);
+      add_words(&shared, ", ", quad, surface_corner_angle(s, half_edge_turn(h, 1)) * degrees);
     if ((unfillable || doubled) && half_edge_quad(h) != listed) {
       listed = half_edge_quad(h);
       context_add_element(context, listed);

@@ -32,15 +32,20 @@ static int32_t edge_high(const int32_t *quads, int32_t h) {
 }
 
 /** One stable counting-sort pass of half-edge ids by one end of their edges. */
-static void sort_pass(const int32_t *quads, size_t count, int32_t (*end)(const int32_t *, int32_t),
-                      const int32_t *in, int32_t *out, size_t *starts, size_t point_count) {
+static hexcon_status sort_pass(hexcon_context *context, const int32_t *quads, size_t count,
+                               int32_t (*end)(const int32_t *, int32_t), const int32_t *in,
+                               int32_t *out, size_t *starts, size_t point_count) {
+  hexcon_status status = HEXCON_OK;
   memset(starts, 0, (point_count + 1) * sizeof *starts);
   for (size_t i = 0; i < count; i++)
     starts[(size_t)end(quads, in[i]) + 1]++;
   for (size_t v = 0; v < point_count; v++)
     starts[v + 1] += starts[v];
-  for (size_t i = 0; i < count; i++)
+  for (size_t i = 0; !status && i < count; i++) {
     out[starts[end(quads, in[i])]++] = in[i];
+    status = context_pass(context, i);
+  }
+  return status;
 }
 
 /** Half-edges ordered by (higher, lower) end, so that those of one edge are neighbours. Linear. */
@@ -52,9 +57,11 @@ static hexcon_status sort_half_edges(hexcon_context *context, const surface *s, 
   if (!status) {
     for (size_t h = 0; h < count; h++)
       sorted[h] = (int32_t)h;
-    sort_pass(s->quads, count, edge_low, sorted, scratch, starts, s->point_count);
-    sort_pass(s->quads, count, edge_high, scratch, sorted, starts, s->point_count);
+    status = sort_pass(context, s->quads, count, edge_low, sorted, scratch, starts, s->point_count);
   }
+  if (!status)
+    status =
+        sort_pass(context, s->quads, count, edge_high, scratch, sorted, starts, s->point_count);
   context_free(context, starts);
   context_free(context, scratch);
   return status;
@@ -115,6 +122,9 @@ static hexcon_status orient_component(hexcon_context *context, surface *s, orien
   *flip_count = 0;
   while (head < tail) {
     int32_t quad = o->queue[head++];
+    hexcon_status status = context_pass(context, head);
+    if (status)
+      return status;
     for (int side = 0; side < 4; side++) {
       int32_t h = 4 * quad + side, other = half_edge_quad(s->twins[h]);
       uint8_t flip = o->flipped[quad] ^ (uint8_t)runs_against(s, h);
@@ -214,14 +224,22 @@ static hexcon_status connect(hexcon_context *context, surface *s) {
     status = match_twins(context, s, sorted);
   context_free(context, sorted);
   if (!status)
+    status = context_after(context, s->quad_count);
+  if (!status)
     status = check_orientation(context, s);
-  return status ? status : check_vertices(context, s);
+  if (!status)
+    status = context_after(context, s->quad_count);
+  if (!status)
+    status = check_vertices(context, s);
+  return status ? status : context_after(context, s->quad_count);
 }
 
 hexcon_status surface_build(hexcon_context *context, const double *points, size_t point_count,
                             const int32_t *quads, size_t quad_count, surface *out) {
   memset(out, 0, sizeof *out);
   hexcon_status status = check_arrays(context, points, point_count, quads, quad_count);
+  if (!status)
+    status = context_after(context, quad_count);
   if (status)
     return status;
   out->points = points;

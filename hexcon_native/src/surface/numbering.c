@@ -38,13 +38,14 @@ static hexcon_status sort_items(hexcon_context *context, item *items, size_t cou
     sort_by_digit(scratch, items, count, digit + 1);
   }
   context_free(context, scratch);
-  for (size_t first = 0, end; first < count; first = end) {
+  hexcon_status status = context_after(context, count);
+  for (size_t first = 0, end; !status && first < count; first = end) {
     for (end = first + 1; end < count && items[end].key == items[first].key;)
       end++;
     if (end - first > 1)
       qsort(items + first, end - first, sizeof *items, compare);
   }
-  return HEXCON_OK;
+  return status;
 }
 
 /* -------------------------------------------------------------------------------------- points */
@@ -156,8 +157,7 @@ static hexcon_status sort_quads(hexcon_context *context, const int32_t *turned, 
   if (!items)
     return HEXCON_OUT_OF_MEMORY;
   for (size_t q = 0; q < count; q++)
-    items[q] =
-        (item){(uint64_t)turned[4 * q] << 31 | (uint64_t)turned[4 * q + 1], turned + 4 * q};
+    items[q] = (item){(uint64_t)turned[4 * q] << 31 | (uint64_t)turned[4 * q + 1], turned + 4 * q};
   hexcon_status status = sort_items(context, items, count, compare_quads);
   for (size_t q = 0; !status && q < count; q++) {
     const int32_t *quad = items[q].what;
@@ -261,7 +261,11 @@ hexcon_status numbering_new(hexcon_context *context, surface *given, numbering *
   if (!status)
     status = sort_points(context, out);
   if (!status)
+    status = context_after(context, out->point_count);
+  if (!status)
     status = number_quads(context, given, out, canonical);
+  if (!status)
+    status = context_after(context, out->quad_count);
   if (!status)
     status = number_components(context, given, out, canonical);
   if (!status)
@@ -302,6 +306,11 @@ void numbering_rank_quads(const numbering *names, const int32_t *ids, size_t cou
   name(names->quad_ranks, names->quad_count, ranks, count);
 }
 
+static int compare_ids(const void *a, const void *b) {
+  const int32_t one = *(const int32_t *)a, other = *(const int32_t *)b;
+  return (one > other) - (one < other);
+}
+
 void numbering_name_elements(hexcon_context *context, const numbering *names,
                              hexcon_status status) {
   switch (status) {
@@ -312,7 +321,11 @@ void numbering_name_elements(hexcon_context *context, const numbering *names,
     break;
   case HEXCON_NOT_CERTIFIED: /* hexes */
     break;
+  case HEXCON_BAD_PAIRING: /* two by two */
+    name(names->quads, names->quad_count, context->elements, context->element_count);
+    break;
   default:
     name(names->quads, names->quad_count, context->elements, context->element_count);
+    qsort(context->elements, context->element_count, sizeof *context->elements, compare_ids);
   }
 }

@@ -41,7 +41,7 @@ int32_t numbering_quad_name(const surface *s, int32_t quad);
 void numbering_name_points(const numbering *names, int32_t *ids, size_t count);
 
 /** Turn the offending ids of an error, as far as they are points or quads of the surface, into the
- * caller's. */
+ * caller's: paths and pairs in their order, sets of quads ascending. */
 void numbering_name_elements(hexcon_context *context, const numbering *names, hexcon_status status);
 
 /** [count] the canonical ids of the caller's quads; ids that do not exist stay. */

@@ -111,44 +111,63 @@ static double half_solid_angle(const double from[3], const double *const corners
 }
 
 /** Whether a shell winds round a point, in either sense. */
-static bool winds_round(const nest *n, const closed_shell *shell, const double point[3]) {
+static hexcon_status winds_round(hexcon_context *context, const nest *n, const closed_shell *shell,
+                                 const double point[3], bool *winds) {
   static const int split[2][3] = {{0, 1, 2}, {0, 2, 3}};
   const double half_turn = acos(-1); /* of half solid angles: a whole winding has 2 pi of them */
   double sum = 0;
-  for (size_t i = shell->first_quad; i < shell->end_quad; i++)
+  hexcon_status status = HEXCON_OK;
+  for (size_t i = shell->first_quad; !status && i < shell->end_quad; i++) {
     for (int half = 0; half < 2; half++) {
       const double *corners[3];
       for (int k = 0; k < 3; k++)
         corners[k] = corner(n->s, 4 * n->quads[i] + split[half][k]);
       sum += half_solid_angle(point, corners);
     }
-  return fabs(sum) > half_turn;
+    status = context_pass(context, i);
+  }
+  *winds = fabs(sum) > half_turn;
+  return status;
 }
 
-static bool lies_in(const nest *n, const closed_shell *inner, const closed_shell *outer) {
+/** Count a shell's depth up if another one is round it. */
+static hexcon_status count_around(hexcon_context *context, const nest *n, closed_shell *inner,
+                                  const closed_shell *outer) {
+  bool winds = false;
   for (int axis = 0; axis < 3; axis++)
     if (inner->low[axis] < outer->low[axis] || inner->high[axis] > outer->high[axis])
-      return false;
-  return winds_round(n, outer, corner(n->s, 4 * n->quads[inner->first_quad]));
+      return HEXCON_OK;
+  hexcon_status status =
+      winds_round(context, n, outer, corner(n->s, 4 * n->quads[inner->first_quad]), &winds);
+  inner->depth += winds;
+  return status;
 }
 
 /** Along x, with those shells at hand that reach to the present one. */
-static void find_depths(nest *n) {
-  size_t reach = 0;
-  for (size_t i = 0; i < n->s->component_count; i++) {
+static hexcon_status find_depths(hexcon_context *context, nest *n) {
+  hexcon_status status = HEXCON_OK;
+  size_t reach = 0, looked = 0;
+  for (size_t i = 0; !status && i < n->s->component_count; i++) {
     closed_shell *shell = &n->shells[i];
     size_t kept = 0;
-    for (size_t k = 0; k < reach; k++) {
+    for (size_t k = 0; !status && k < reach; k++) {
       closed_shell *other = &n->shells[n->around[k]];
       if (other->high[0] < shell->low[0])
         continue;
       n->around[kept++] = n->around[k];
-      shell->depth += lies_in(n, shell, other);
-      other->depth += lies_in(n, other, shell);
+      status = count_around(context, n, shell, other);
+      if (!status)
+        status = count_around(context, n, other, shell);
+    }
+    looked += reach;
+    if (!status && looked >= CONTEXT_PATIENCE) {
+      status = context_ask(context);
+      looked = 0;
     }
     n->around[kept++] = i;
     reach = kept;
   }
+  return status;
 }
 
 /* ------------------------------------------------------------------------------------- turning */
@@ -194,7 +213,11 @@ hexcon_status surface_orient_shells(hexcon_context *context, surface *s) {
     return status;
   if (!status) {
     find_shells(&n);
-    find_depths(&n);
+    status = context_after(context, s->quad_count);
+  }
+  if (!status)
+    status = find_depths(context, &n);
+  if (!status) {
     judge_shells(&n, s);
     turn_shells(s, n.turned);
   }
