@@ -77,6 +77,9 @@ static hexcon_status match_twins(hexcon_context *context, surface *s, const int3
   for (size_t pass = 0; pass < 2 && open_edges == 0 && crowded_edges == 0; pass++)
     for (first = 0; first < count;) {
       size_t last = first + 1;
+      hexcon_status status = context_pass(context, first / 2);
+      if (status)
+        return status;
       while (last < count && same_edge(s->quads, sorted[first], sorted[last]))
         last++;
       crowded_edges += pass == 0 && last - first > 2;
@@ -190,7 +193,9 @@ static hexcon_status check_vertices(hexcon_context *context, const surface *s) {
   uint8_t *walked = context_allocate_zeroed(context, 4 * s->quad_count, 1);
   uint8_t *has_fan = context_allocate_zeroed(context, s->point_count, 1);
   size_t bad = 0;
-  for (size_t h = 0; walked && has_fan && h < 4 * s->quad_count; h++) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t h = 0; !status && walked && has_fan && h < 4 * s->quad_count; h++) {
+    status = context_pass(context, h);
     if (walked[h])
       continue;
     int32_t v = s->quads[h], g = (int32_t)h;
@@ -209,6 +214,8 @@ static hexcon_status check_vertices(hexcon_context *context, const surface *s) {
   context_free(context, has_fan);
   if (!complete)
     return HEXCON_OUT_OF_MEMORY;
+  if (status)
+    return status;
   if (bad)
     return context_fail(context, HEXCON_NON_MANIFOLD_VERTEX,
                         "%zu points join parts of the surface that share no edge there (points "
