@@ -506,8 +506,9 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
                        loops do not cross themselves, or your pairs (k, 2) of quads that share an
                        edge, such that no loop crosses itself then
     core               False: do not fill what the layers leave, but refuse (NO_SHEETS)
-    budget             seconds after which what is being tried is given up and the best mesh until
-                       then is taken; 0: no limit
+    budget             seconds, kept within a second or 5 %; 0: no limit. The time to prove the mesh at hand
+                       is kept back: what is being tried is given up that much earlier, and the
+                       best mesh until then is taken
     progress           callable (stage, fraction in 0 .. 1); returning False, raising, or Ctrl-C
                        cancels. As far as there is a mesh, ", " and what is known of it follow the
                        stage's name: "optimisation, 64 hexes, worst scaled Jacobian 0.312", or
@@ -517,6 +518,10 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
                        overlap, and the certificate's `embedded` says so
     certify            False: prove nothing; the mesh has no certificate, and a topological one no
                        quality
+    Every method gives the same mesh, bit for bit, however points, quads and their corners are numbered:
+    the surface is numbered by its shape first (points along a Morton curve, then by x, y, z; quads by
+    their corners), and ids come back as the caller's, those of errors too. Where points coincide, they
+    keep their order. tetrahedralise sees that order; what it answers must not depend on anything else.
     Returns a Mesh. Raises HexconError: those of check_surface, SELF_INTERSECTING (elements: quads,
     pair after pair, at most 1000 in all: the surface crosses or touches itself there, or comes too near to
     itself to tell), SEVERAL_COMPONENTS
@@ -533,7 +538,7 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
     (elements: points of a closed path that crosses a family of loops an odd number of times; never
     on a sphere), NOT_A_BALL (holes or cavities that the method cannot deal with), NO_ROTATIONS (shelling: no rotations were found that help), NO_SMALL_FILLING (more than 16 quads, or elements: two quads with two
     opposite corners in common), NOT_CERTIFIED (elements: hexes), OUT_OF_TIME (before there was a
-    mesh), CANCELLED, BAD_ARGUMENT, OUT_OF_MEMORY. Topological meshes are returned if they are
+    mesh, or a proof of it), CANCELLED, BAD_ARGUMENT, OUT_OF_MEMORY. Topological meshes are returned if they are
     conforming and their boundary is exact.
     Cost: linear in the hexes made, plus the improvement of what is bad.
     """

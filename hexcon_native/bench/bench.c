@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
 /**
  * Time and memory of every stage on swept surfaces of 10^4, 10^5 and 10^6 hexes, numbered at
- * random, and the exponent by which each stage grows; then of cells on rough boxes of 24, 96 and
- * 294 quads; and of the topological methods on 10^3 to 10^6 quads. Prints three tables;
- * with the argument `topological` the last one alone.
+ * random, and the exponent by which each stage grows, and how a budget of a second is kept; then of
+ * cells on rough boxes of 24, 96 and 294 quads; and of the topological methods on 10^3 to 10^6
+ * quads. Prints three tables; with the argument `topological` the last one alone.
  */
 #include <math.h>
 #include <stdio.h>
@@ -14,7 +14,7 @@
 #include "bench_support.h"
 #include "bench_topological.h"
 
-enum { SIZES = 3, STAGES = 26 };
+enum { SIZES = 3, STAGES = 34 };
 
 typedef struct table {
   size_t hexes[SIZES];
@@ -118,6 +118,33 @@ static void bench_pairing(hexcon_context *context, table *t, int size, size_t he
   surface_arrays_free(&s);
 }
 
+/** What is stopped by a budget comes back in time, on about as many quads as there are hexes: no
+ * method is done with them by then. */
+static void bench_budget(hexcon_context *context, table *t, int size, size_t hexes) {
+  static const struct {
+    const char *name;
+    hexcon_method method;
+  } stopped[] = {{"pillowed, budget 1 s", HEXCON_METHOD_PILLOWED},
+                 {"cells, budget 1 s", HEXCON_METHOD_CELLS},
+                 {"sheets, budget 1 s", HEXCON_METHOD_SHEETS},
+                 {"auto, budget 1 s", HEXCON_METHOD_AUTO}};
+  surface_arrays s = cube_surface((size_t)sqrt((double)hexes / 6));
+  bend(&s);
+  shuffle(&s);
+  for (size_t i = 0; i < sizeof stopped / sizeof *stopped; i++) {
+    hexcon_mesh_options options = {.method = stopped[i].method, .budget = 1};
+    hexcon_mesh *mesh;
+    double start = now();
+    hexcon_status status = hexcon_mesh_surface(context, s.points, s.point_count, s.quads,
+                                               s.quad_count, &options, &mesh);
+    hexcon_mesh_free(context, mesh);
+    note(t, size, stopped[i].name, now() - start);
+    (void)fprintf(stderr, "%s, %zu quads: %s\n", stopped[i].name, s.quad_count,
+                  hexcon_status_name((int)status));
+  }
+  surface_arrays_free(&s);
+}
+
 /** The stages that the mesh's report tells of. */
 static void note_stages(table *t, int size, const hexcon_mesh *mesh) {
   const hexcon_figure *figures;
@@ -165,6 +192,7 @@ static void bench_size(hexcon_context *context, table *t, int size, size_t n) {
   hexcon_second_order_free(context, &raised);
   bench_damages(context, t, size, mesh, s.point_count);
   bench_pairing(context, t, size, t->hexes[size]);
+  bench_budget(context, t, size, t->hexes[size]);
   hexcon_mesh_free(context, mesh);
   surface_arrays_free(&s);
 }

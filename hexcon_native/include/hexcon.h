@@ -157,7 +157,7 @@ typedef struct hexcon_context hexcon_context;
  * @param stage     what is being done, valid during the call. As far as there is a mesh, ", " and
  *                  what is known of it follow: "optimisation, 64 hexes, worst scaled Jacobian
  *                  0.312", or "untangling, 3 of 64 hexes inverted"
- * @param fraction  of that stage, in [0, 1]
+ * @param fraction  of that stage, in [0, 1]; told several times where a stage has long parts
  * @return false to cancel: the running call ends with HEXCON_CANCELLED
  */
 typedef bool (*hexcon_progress)(void *user, const char *stage, double fraction);
@@ -514,7 +514,8 @@ const hexcon_method_facts *hexcon_method_info(size_t row);
 
 /** Which quads the topological methods pair, so that no dual loop crosses itself. */
 typedef enum hexcon_pairing {
-  HEXCON_PAIRING_ALL = 0, /**< every quad, as hexcon_surface_pairing without points */
+  HEXCON_PAIRING_ALL = 0, /**< every quad, as hexcon_surface_pairing without points of the surface
+                               as numbered canonically */
   HEXCON_PAIRING_FEWEST,  /**< as hexcon_surface_pairing_of_crossings */
   HEXCON_PAIRING_NONE,    /**< for surfaces whose loops do not cross themselves anyway */
   HEXCON_PAIRING_GIVEN,   /**< the caller's pairs */
@@ -536,7 +537,7 @@ typedef struct hexcon_tetrahedra {
 /**
  * Fills the inside of a closed triangulation with tetrahedra, whose boundary must be exactly the
  * given triangles; called from the thread that meshes.
- * @param points     [point_count][3]
+ * @param points     [point_count][3] in an order that does not depend on the caller's numbering
  * @param triangles  [triangle_count][3] counter-clockwise seen from outside
  * @param out        arrays that stay valid until the next call, or until meshing returns
  * @return false if there are none: meshing goes on without
@@ -561,8 +562,12 @@ typedef struct hexcon_mesh_options {
   size_t pair_count;
   bool skip_certificate; /**< prove nothing: the certificate is empty; topological methods leave the
                               quality out too. auto proves all the same */
-  double budget;         /**< seconds after which nothing new is begun, and what is being done is
-                              given up; the best mesh until then is taken. 0: no limit */
+  /** Seconds of wall time; 0: no limit. The call returns within them and 5 % more, or a second: the
+   * time to measure and prove the mesh at hand is estimated from that taken to read the surface,
+   * and kept back, so what is being done is given up that much earlier, and the best mesh until
+   * then is taken. It is OUT_OF_TIME if there is none, or if it cannot be proved in that time. What
+   * tetrahedralise takes is the caller's to limit. */
+  double budget;
   bool allow_topological; /**< topological methods: take a surface that crosses or touches itself
                              too: its hexes overlap, as the certificate says */
   bool no_core;           /**< do not fill what layers leave, but refuse: NO_SHEETS */
@@ -573,6 +578,12 @@ typedef struct hexcon_mesh hexcon_mesh;
 
 /**
  * Fill a surface with hexes. The first point_count rows of the result are the input points.
+ *
+ * The same mesh, bit for bit, comes of a surface however its points, its quads and their corners
+ * are numbered, by every method: the surface is numbered canonically at the entrance, points along
+ * a Morton curve through their bounding box and then by (x, y, z), quads by their corners; ids come
+ * back as the caller's, also those of errors. Where points coincide, they keep their order, and the
+ * method may see another surface; and it is as independent of it as what tetrahedralise answers.
  * @param options  NULL for defaults
  * @param mesh     receives the result; free with hexcon_mesh_free
  * Errors: those of hexcon_check_surface, SELF_INTERSECTING, SEVERAL_COMPONENTS, ODD, NO_HEX_MESH

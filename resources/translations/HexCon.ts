@@ -825,6 +825,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Surface: checking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Surface: which closed paths bound inside</source>
         <translation type="unfinished"></translation>
     </message>

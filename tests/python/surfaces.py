@@ -143,6 +143,22 @@ def permuted(surface, rng):
     return moved, numbers[np.take_along_axis(quads, turn, axis=1)][rng.permutation(len(quads))]
 
 
+def canonical(surface):
+    """The same surface under the numbers that the core gives it, as hexcon_native.mesh says: worked out anew."""
+    points, quads = surface
+    low = points.min(axis=0)
+    side = (points - low).max()
+    cells = ((points - low) / (side or 1.0) * (2 ** 21 - 1)).astype(np.int64).tolist()
+
+    def place_on_curve(v):
+        return sum(((cells[v][axis] >> bit) & 1) << (3 * bit + axis) for bit in range(21) for axis in range(3))
+    order = sorted(range(len(points)), key=lambda v: (place_on_curve(v), *points[v]))
+    ranks = np.empty(len(points), int)
+    ranks[order] = np.arange(len(points))
+    turned = [np.roll(quad, -int(np.argmin(quad))).tolist() for quad in ranks[quads]]
+    return points[order], np.array(sorted(turned))
+
+
 def turn_edge(surface, quad):
     """The first edge of a quad turned by one corner in the hexagon of its two quads: a closed
     surface with as many quads, and loops that run elsewhere."""

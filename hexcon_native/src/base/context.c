@@ -8,6 +8,10 @@
 #include <string.h>
 #include <time.h>
 
+/** A budget may be overrun by so many seconds, or by this part of it: a little less than what is
+ * promised, which leaves some time to hand the mesh over. */
+static const double least_tolerance = 0.7, tolerance = 0.04;
+
 static void *c_library_reallocate(void *user, void *memory, size_t size) {
   (void)user;
   if (size == 0) {
@@ -56,6 +60,8 @@ void context_clear(hexcon_context *context) {
   context->element_count = 0;
   context->message[0] = '\0';
   context->figures[0] = '\0';
+  context->stage = STAGE_CHECKS;
+  context->fraction = 0;
 }
 
 void context_add_element(hexcon_context *context, int32_t element) {
@@ -91,17 +97,38 @@ void context_tell_mesh(hexcon_context *context, size_t hexes, size_t inverted, d
 
 bool context_report(hexcon_context *context, progress_stage stage, double fraction) {
   char words[sizeof context->figures + 64];
+  context->stage = stage;
+  context->fraction = fraction;
   if (!context->progress)
     return true;
   (void)snprintf(words, sizeof words, "%s%s", hexcon_progress_stage(stage)->name, context->figures);
   return context->progress(context->progress_user, words, fraction);
 }
 
+void context_limit(hexcon_context *context, double start, double budget) {
+  context->budget = budget;
+  context->deadline = budget > 0 ? start + budget : 0;
+  context->reserve = context->rate = context->again = 0;
+}
+
+void context_reserve(hexcon_context *context, size_t hexes) {
+  const double most = 0.5; /* of the budget: an estimate must not take all of it */
+  context->reserve = fmin(context->again + context->rate * (double)hexes, most * context->budget);
+}
+
+void context_finish(hexcon_context *context) {
+  context->reserve = -fmax(least_tolerance, tolerance * context->budget);
+}
+
+hexcon_status context_ask(hexcon_context *context) {
+  return context_progress(context, context->stage, context->fraction);
+}
+
 hexcon_status context_progress(hexcon_context *context, progress_stage stage, double fraction) {
   const char *name = hexcon_progress_stage(stage)->name;
   if (!context_report(context, stage, fraction))
     return context_fail(context, HEXCON_CANCELLED, "cancelled during %s", name);
-  if (context->deadline > 0 && context_clock() > context->deadline)
+  if (context->deadline > 0 && context_clock() > context->deadline - context->reserve)
     return context_fail(context, HEXCON_OUT_OF_TIME,
                         "the time budget ran out during %s, before there was a mesh: allow more "
                         "time, or mesh with larger quads",

@@ -17,8 +17,15 @@ struct hexcon_context {
   void *progress_user;
   hexcon_reallocate reallocate;
   void *reallocate_user;
-  double deadline;  /**< by context_clock; 0: none */
-  char figures[80]; /**< of the mesh at work, in words; "": none yet */
+  double deadline;      /**< by context_clock; 0: none */
+  double budget;        /**< seconds; 0: none */
+  double reserve;       /**< seconds before the deadline at which the work is stopped; see
+                             context_reserve and context_finish */
+  double rate;          /**< seconds that it takes to finish a hex: to measure and prove it */
+  double again;         /**< seconds of what was done to the surface, and is done again to finish */
+  progress_stage stage; /**< told last; at first the checks */
+  double fraction;      /**< told last */
+  char figures[80];     /**< of the mesh at work, in words; "": none yet */
   size_t element_count;
   int32_t elements[CONTEXT_MAX_ELEMENTS];
   char message[512];
@@ -52,6 +59,33 @@ bool context_report(hexcon_context *context, progress_stage stage, double fracti
 /** Report progress; HEXCON_CANCELLED if the user wants to stop, HEXCON_OUT_OF_TIME after the
  * deadline, with the error stored. */
 hexcon_status context_progress(hexcon_context *context, progress_stage stage, double fraction);
+
+/** Set the deadline, and what it takes to finish a hex, as far as known (0: nothing).
+ * @param budget  seconds from `start`; 0: none */
+void context_limit(hexcon_context *context, double start, double budget);
+
+/** A mesh of so many hexes is being made: stop early enough to prove it. 0: none is. */
+void context_reserve(hexcon_context *context, size_t hexes);
+
+/** Nothing more is begun: the time reserved is there to be used, and the tolerance of the budget
+ * besides, a second or 5 %. */
+void context_finish(hexcon_context *context);
+
+/** As context_progress, with the stage and the fraction that were told last. */
+hexcon_status context_ask(hexcon_context *context);
+
+/** Items that are worked on between two questions whether to go on: some milliseconds. */
+#define CONTEXT_PATIENCE ((size_t)1 << 13)
+
+/** In a loop over what may be many: ask after every CONTEXT_PATIENCE-th item. */
+static inline hexcon_status context_pass(hexcon_context *context, size_t item) {
+  return (item + 1) % CONTEXT_PATIENCE ? HEXCON_OK : context_ask(context);
+}
+
+/** Between short loops: ask if the one before was over many items. */
+static inline hexcon_status context_after(hexcon_context *context, size_t items) {
+  return items < CONTEXT_PATIENCE ? HEXCON_OK : context_ask(context);
+}
 
 /**
  * Allocate count items of size bytes, not initialised; count 0 gives a valid pointer.

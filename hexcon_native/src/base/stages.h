@@ -7,6 +7,7 @@
 
 /** Stages that progress tells of: constant, name, and the words that people see. */
 #define PROGRESS_STAGES(ROW)                                                                       \
+  ROW(STAGE_CHECKS, "checks", "Surface: checking")                                                 \
   ROW(STAGE_LINKING_NUMBERS, "linking numbers", "Surface: which closed paths bound inside")        \
   ROW(STAGE_PAIRING, "pairing", "Hexes: pairing quads")                                            \
   ROW(STAGE_SWEEP_RECOGNITION, "sweep recognition", "Hexes: looking for sweeps")                   \

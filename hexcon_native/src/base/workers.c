@@ -89,6 +89,9 @@ static void run_threads(shared_work *shared, worker *workers, int count) {
     workers[i].context.progress = report;
     workers[i].context.progress_user = &workers[i];
     workers[i].context.deadline = shared->parent->deadline;
+    workers[i].context.reserve = shared->parent->reserve;
+    workers[i].context.budget = shared->parent->budget;
+    workers[i].context.stage = shared->stage;
   }
   while (started < count &&
          thrd_create(&threads[started], run_worker, &workers[started]) == thrd_success)

@@ -23,13 +23,13 @@ typedef struct point_role {
 } point_role;
 
 /** Sets of points of the mesh, by what they are. */
-typedef struct numbering {
+typedef struct cell_numbering {
   int32_t *upright;  /* [point_count] of black points; -1 for white ones */
   int32_t *edge;     /* [4 quad_count] by half-edge */
   int32_t *side;     /* [4 quad_count] by half-edge; -1 inside pairs */
   size_t first_quad; /* N, Ga, Gb of quad q: first_quad + 3 q .. */
   size_t first_inside;
-} numbering;
+} cell_numbering;
 
 static bool read_role(const char *label, point_role *role) {
   static const struct {
@@ -60,16 +60,16 @@ static hexcon_status read_roles(hexcon_context *context, const hex_template *t, 
   return HEXCON_OK;
 }
 
-static void numbering_free(hexcon_context *context, numbering *n) {
+static void cell_numbering_free(hexcon_context *context, cell_numbering *n) {
   context_free(context, n->upright);
   context_free(context, n->edge);
   context_free(context, n->side);
 }
 
 /** Number everything that cells share; *next is the first free id. */
-static hexcon_status numbering_new(hexcon_context *context, const surface *s,
-                                   const uint8_t *colours, const int32_t *partner, size_t *next,
-                                   numbering *out) {
+static hexcon_status cell_numbering_new(hexcon_context *context, const surface *s,
+                                        const uint8_t *colours, const int32_t *partner,
+                                        size_t *next, cell_numbering *out) {
   size_t corners = 4 * s->quad_count;
   memset(out, 0, sizeof *out);
   out->upright = context_allocate(context, s->point_count, sizeof *out->upright);
@@ -99,7 +99,7 @@ static int32_t half_edge_at(const surface *s, int32_t base, bool second, size_t 
 
 /** Id of one point of the cell over the pair at half-edge `base`, which runs from white to black.
  */
-static int32_t point_id(const surface *s, const numbering *n, const cell_complex *cells,
+static int32_t point_id(const surface *s, const cell_numbering *n, const cell_complex *cells,
                         int32_t base, const point_role *role, size_t *inside) {
   int32_t h = half_edge_at(s, base, role->second, role->corner);
   size_t vertex = (size_t)(role->second ? half_edge_start(s, h) : half_edge_end(s, h));
@@ -127,7 +127,7 @@ static int32_t point_id(const surface *s, const numbering *n, const cell_complex
 }
 
 /** Two triangles of a quad whose template corner 0 is where half-edge h starts (or ends). */
-static void write_triangles(const surface *s, const numbering *n, int32_t base, bool second,
+static void write_triangles(const surface *s, const cell_numbering *n, int32_t base, bool second,
                             cell_complex *cells) {
   static const size_t corners[2][3] = {{1, 3, 2}, {0, 3, 1}}; /* clockwise from inside */
   size_t quad = (size_t)half_edge_quad(half_edge_at(s, base, second, 0));
@@ -155,22 +155,29 @@ static void write_triangles(const surface *s, const numbering *n, int32_t base, 
   }
 }
 
-static int32_t *write_layers(const surface *s, size_t layers, int32_t *hex) {
+static hexcon_status write_layers(hexcon_context *context, const surface *s, size_t layers,
+                                  int32_t *hex) {
+  hexcon_status status = HEXCON_OK;
   for (size_t layer = 0; layer < layers; layer++)
-    for (size_t q = 0; q < s->quad_count; q++, hex += 8)
+    for (size_t q = 0; !status && q < s->quad_count; q++, hex += 8) {
       for (size_t i = 0; i < 4; i++) {
         hex[4 + i] = (int32_t)(layer * s->point_count) + s->quads[4 * q + i];
         hex[i] = hex[4 + i] + (int32_t)s->point_count;
       }
-  return hex;
+      status = context_pass(context, q);
+    }
+  return status;
 }
 
-static void write_cells(const surface *s, const uint8_t *colours, const int32_t *partner,
-                        const numbering *n, const point_role *roles, cell_complex *cells) {
+static hexcon_status write_cells(hexcon_context *context, const surface *s, const uint8_t *colours,
+                                 const int32_t *partner, const cell_numbering *n,
+                                 const point_role *roles, cell_complex *cells) {
   const hex_template *t = cells->domino;
-  int32_t *hex = write_layers(s, cells->layers, cells->hexes), *points = cells->cell_points;
+  int32_t *hex = cells->hexes + 8 * cells->layers * s->quad_count, *points = cells->cell_points;
   size_t inside = 0;
-  for (size_t q = 0; q < s->quad_count; q++) {
+  hexcon_status status = write_layers(context, s, cells->layers, cells->hexes);
+  for (size_t q = 0; !status && q < s->quad_count; q++) {
+    status = context_pass(context, q);
     if (colours[half_edge_start(s, partner[q])] == 0)
       continue; /* the pair's other quad has the half-edge from white to black */
     for (size_t i = 0; i < t->point_count; i++)
@@ -183,6 +190,7 @@ static void write_cells(const surface *s, const uint8_t *colours, const int32_t 
     write_triangles(s, n, partner[q], true, cells);
   }
   cells->point_count = n->first_inside + inside;
+  return status;
 }
 
 static hexcon_status allocate_tables(hexcon_context *context, const surface *s,
@@ -211,7 +219,7 @@ hexcon_status cells_build(hexcon_context *context, const surface *s, const uint8
   memset(out, 0, sizeof *out);
   out->domino = &template_domino_62;
   out->layers = layers;
-  numbering n = {0};
+  cell_numbering n = {0};
   point_role *roles = context_allocate(context, out->domino->point_count, sizeof *roles);
   hexcon_status status = roles ? template_check(context, out->domino) : HEXCON_OUT_OF_MEMORY;
   if (!status)
@@ -220,10 +228,10 @@ hexcon_status cells_build(hexcon_context *context, const surface *s, const uint8
     status = allocate_tables(context, s, out);
   size_t next = out->first_inner + s->point_count;
   if (!status)
-    status = numbering_new(context, s, colours, partner, &next, &n);
+    status = cell_numbering_new(context, s, colours, partner, &next, &n);
   if (!status)
-    write_cells(s, colours, partner, &n, roles, out);
-  numbering_free(context, &n);
+    status = write_cells(context, s, colours, partner, &n, roles, out);
+  cell_numbering_free(context, &n);
   context_free(context, roles);
   return status;
 }

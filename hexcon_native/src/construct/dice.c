@@ -67,8 +67,11 @@ hexcon_status dice(hexcon_context *context, const int32_t *tetrahedra, size_t co
     status = HEXCON_OUT_OF_MEMORY;
   if (!status) {
     enter_known(&d, known);
-    for (size_t t = 0; t < count; t++)
+    status = context_after(context, known->count);
+    for (size_t t = 0; !status && t < count; t++) {
       dice_one(&d, tetrahedra + 4 * t, out->hexes + 32 * t);
+      status = context_pass(context, t);
+    }
   }
   tuple_table_free(context, &d.table);
   return status;

@@ -61,17 +61,21 @@ static void write_pair(const surface *s, int32_t shared, size_t pair, growing_me
   }
 }
 
-static void write_all(const surface *s, const int32_t *partner, growing_mesh *mesh,
-                      paired_quads *out) {
+static hexcon_status write_all(hexcon_context *context, const surface *s, const int32_t *partner,
+                               growing_mesh *mesh, paired_quads *out) {
   size_t pair = 0;
-  for (size_t q = 0; q < s->quad_count; q++)
+  hexcon_status status = HEXCON_OK;
+  for (size_t q = 0; !status && q < s->quad_count; q++) {
     if (partner[q] >= 0 && half_edge_quad(s->twins[partner[q]]) > (int32_t)q)
       write_pair(s, partner[q], pair++, mesh, out);
+    status = context_pass(context, q);
+  }
   for (size_t q = 0; q < s->quad_count; q++)
     if (partner[q] < 0) {
       out->hexes[out->quad_count] = -1;
       memcpy(out->quads + 4 * out->quad_count++, s->quads + 4 * q, 4 * sizeof *out->quads);
     }
+  return status;
 }
 
 hexcon_status paired_transition_build(hexcon_context *context, const surface *s,
@@ -91,9 +95,8 @@ hexcon_status paired_transition_build(hexcon_context *context, const surface *s,
   out->points.means = context_allocate(context, 4 * pairs, 4 * sizeof(int32_t));
   if (!out->quads || !out->hexes || !out->points.means)
     return HEXCON_OUT_OF_MEMORY;
-  write_all(s, partner, mesh, out);
   mesh->point_count += 4 * pairs;
-  return HEXCON_OK;
+  return write_all(context, s, partner, mesh, out);
 }
 
 int32_t paired_transition_end(size_t first, size_t pairs, const int32_t *hexes, int32_t point) {

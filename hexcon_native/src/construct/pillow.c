@@ -60,20 +60,25 @@ static hexcon_status sort_faces(hexcon_context *context, pillow *p) {
   if (!starts)
     return HEXCON_OUT_OF_MEMORY;
   set_face face;
-  for (size_t side = 0; side < sides; side++) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t side = 0; !status && side < sides; side++) {
+    status = context_pass(context, side);
     read_face(p, side, &face);
     starts[face.points[0] + 1]++;
   }
   for (size_t v = 0; v < points; v++)
     starts[v + 1] += starts[v];
-  for (size_t side = 0; side < sides; side++) {
+  for (size_t side = 0; !status && side < sides; side++) {
+    status = context_pass(context, side);
     read_face(p, side, &face);
     p->faces[starts[face.points[0]]++] = face;
   }
-  for (size_t v = 0, start = 0; v < points; start = starts[v++])
+  for (size_t v = 0, start = 0; !status && v < points; start = starts[v++]) {
     qsort(p->faces + start, starts[v] - start, sizeof *p->faces, compare_faces);
+    status = context_pass(context, v);
+  }
   context_free(context, starts);
-  return HEXCON_OK;
+  return status;
 }
 
 static int32_t root_of(pillow *p, int32_t corner) {
@@ -163,12 +168,16 @@ static hexcon_status draw_back(hexcon_context *context, pillow *p, pillow_points
   if (status)
     return status;
   size_t outside = join_inside(p);
-  status = growing_mesh_reserve(context, p->mesh, outside, 4 * outside);
+  status = context_after(context, p->set_count);
+  if (!status)
+    status = growing_mesh_reserve(context, p->mesh, outside, 4 * outside);
   if (!status)
     status = copy_points(context, p, points);
   if (!status)
+    status = context_after(context, p->set_count);
+  if (!status)
     add_hexes(p);
-  return status;
+  return status ? status : context_after(context, p->set_count);
 }
 
 hexcon_status pillow_hexes(hexcon_context *context, const int32_t *set, const int32_t *parts,

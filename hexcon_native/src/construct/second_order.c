@@ -34,16 +34,19 @@ hexcon_status edge_table_build(hexcon_context *context, const int32_t *hexes, si
   out->of_hex = context_allocate(context, sides, sizeof *out->of_hex);
   int32_t *slots = context_allocate(context, capacity, sizeof *slots);
   bool complete = out->ends && out->of_hex && slots;
+  hexcon_status status = complete ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
   if (complete) {
     memset(slots, -1, capacity * sizeof *slots);
-    for (size_t h = 0; h < hex_count; h++)
+    for (size_t h = 0; !status && h < hex_count; h++) {
       for (size_t e = 0; e < 12; e++)
         out->of_hex[12 * h + e] =
             edge_id(out, slots, capacity - 1, hexes[8 * h + quadratic_edges[e][0]],
                     hexes[8 * h + quadratic_edges[e][1]]);
+      status = context_pass(context, h);
+    }
   }
   context_free(context, slots);
-  return complete ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
+  return status;
 }
 
 void edge_table_free(hexcon_context *context, edge_table *table) {

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "surface/numbering.h"
+
 /** Digits of ids and coordinates, and how many of them make one. */
 static const char digits[] = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz-_";
 enum { DIGITS = 64, ID_DIGITS = 2, PLACE_DIGITS = 3 };
@@ -179,7 +181,7 @@ static hexcon_status check_opposite_corners(hexcon_context *context, const surfa
       return context_fail(context, HEXCON_NO_SMALL_FILLING,
                           "quads %d and %d have two opposite corners in common: no hex mesh "
                           "without doublets has both",
-                          (int)other, (int)q);
+                          (int)numbering_quad_name(s, other), (int)numbering_quad_name(s, q));
     }
   return HEXCON_OK;
 }

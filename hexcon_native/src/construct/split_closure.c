@@ -175,6 +175,7 @@ hexcon_status split_closure_choose_diagonals(hexcon_context *context, const surf
     const int32_t *corner = s->quads + 4 * (d / 2) + d % 2;
     numbers[d] = tuple_table_number(&table, corner[0], corner[2], -1, (int32_t)d);
     repeated[numbers[d]] |= numbers[d] != (int32_t)d;
+    status = context_pass(context, d);
   }
   for (size_t q = 0; !status && q < s->quad_count; q++)
     turns[q] = repeated[numbers[2 * q]];

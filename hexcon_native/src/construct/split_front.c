@@ -202,7 +202,7 @@ static hexcon_status number_points(hexcon_context *context, const split_layer *l
     return HEXCON_OUT_OF_MEMORY;
   write_means(l);
   l->mesh->point_count = next;
-  return HEXCON_OK;
+  return context_after(context, l->points->count);
 }
 
 /* --------------------------------------------------------------------------------------- its hexes
@@ -260,8 +260,9 @@ static void add_column(const split_layer *l, const size_t part[4]) {
   }
 }
 
-static void add_hexes(const split_layer *l) {
-  for (size_t q = 0; q < l->front->s->quad_count; q++) {
+static hexcon_status add_hexes(hexcon_context *context, const split_layer *l) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t q = 0; !status && q < l->front->s->quad_count; q++) {
     quad_nodes n = read_quad(l, q);
     size_t parts[4][4], count = n.crossed ? 0 : list_parts(&n, parts);
     if (l->starts)
@@ -270,9 +271,11 @@ static void add_hexes(const split_layer *l) {
       add_crossed(l, &n);
     for (size_t i = 0; i < count; i++)
       add_column(l, parts[i]);
+    status = context_pass(context, q);
   }
   if (l->starts)
     l->starts[l->front->s->quad_count] = l->mesh->hex_count;
+  return status;
 }
 
 /** Hexes of the layer if `left` is called left. */
@@ -295,12 +298,16 @@ static hexcon_status build_layer(hexcon_context *context, split_layer *l) {
   l->left = counts[1] < counts[0];
   hexcon_status status =
       growing_mesh_reserve(context, l->mesh, counts[l->left], 2 * l->front->node_count);
+  if (!status)
+    status = context_after(context, l->front->node_count);
   if (status)
     return status;
   mark_nodes(l);
-  status = number_points(context, l);
+  status = context_after(context, l->front->node_count);
   if (!status)
-    add_hexes(l);
+    status = number_points(context, l);
+  if (!status)
+    status = add_hexes(context, l);
   return status;
 }
 

@@ -105,15 +105,19 @@ static void fill_from_surface(const surface *s, const reflection *r, const regio
     }
 }
 
-static void number_inner_points(const surface *s, sweep *w) {
+static hexcon_status number_inner_points(hexcon_context *context, const surface *s, sweep *w) {
+  hexcon_status status = HEXCON_OK;
   int32_t next = (int32_t)s->point_count;
-  for (size_t level = 1; level < w->rings; level++)
-    for (size_t v = 0; v < w->cap_point_count; v++)
+  for (size_t level = 1; !status && level < w->rings; level++)
+    for (size_t v = 0; !status && v < w->cap_point_count; v++) {
       if (!w->on_rim[v])
         w->ids[level * w->cap_point_count + v] = next++;
+      status = context_pass(context, level * w->cap_point_count + v);
+    }
   for (size_t v = 0; v < w->cap_point_count; v++)
     w->inner_point_count += !w->on_rim[v];
   w->point_count = (size_t)next;
+  return status;
 }
 
 /** New ids must fit: every layer has fewer new points than four a quad. */
@@ -140,8 +144,8 @@ static hexcon_status assemble(hexcon_context *context, const surface *s, const r
   if (!w->cap_quads || !w->on_rim || !w->ids)
     return HEXCON_OUT_OF_MEMORY;
   fill_from_surface(s, r, g, local, w);
-  number_inner_points(s, w);
-  return HEXCON_OK;
+  status = context_after(context, s->quad_count);
+  return status ? status : number_inner_points(context, s, w);
 }
 
 hexcon_status sweep_build(hexcon_context *context, const surface *s, const surface_loops *loops,
@@ -165,15 +169,19 @@ hexcon_status sweep_build(hexcon_context *context, const surface *s, const surfa
   return status;
 }
 
-void sweep_write_hexes(const sweep *w, int32_t *hexes) {
-  for (size_t level = 0; level < w->rings; level++) {
+hexcon_status sweep_write_hexes(hexcon_context *context, const sweep *w, int32_t *hexes) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t level = 0; !status && level < w->rings; level++) {
     const int32_t *upper = w->ids + level * w->cap_point_count;
     const int32_t *lower = upper + w->cap_point_count;
-    for (size_t q = 0; q < w->cap_quad_count; q++, hexes += 8)
+    for (size_t q = 0; !status && q < w->cap_quad_count; q++, hexes += 8) {
       for (size_t corner = 0; corner < 4; corner++) {
         int32_t v = w->cap_quads[4 * q + corner];
         hexes[corner] = lower[v];
         hexes[corner + 4] = upper[v];
       }
+      status = context_pass(context, level * w->cap_quad_count + q);
+    }
   }
+  return status;
 }

@@ -28,7 +28,8 @@ hexcon_status sweep_build(hexcon_context *context, const surface *s, const surfa
                           const strip_table *strips, const reflection *r, size_t rings, sweep *out);
 void sweep_free(hexcon_context *context, sweep *w);
 
-/** Write the cap_quad_count * rings hexes [][8], layer by layer from the first cap. */
-void sweep_write_hexes(const sweep *w, int32_t *hexes);
+/** Write the cap_quad_count * rings hexes [][8], layer by layer from the first cap.
+ * @return CANCELLED, OUT_OF_TIME */
+hexcon_status sweep_write_hexes(hexcon_context *context, const sweep *w, int32_t *hexes);
 
 #endif

@@ -189,8 +189,8 @@ static void precondition_copy(void *user, const double *in, double *out) {
   precondition(m, m->work[4], out);
 }
 
-void block_matrix_solve(block_matrix *m, const double *b, double tolerance, size_t limit,
-                        double *x) {
+hexcon_status block_matrix_solve(hexcon_context *context, block_matrix *m, const double *b,
+                                 double tolerance, size_t limit, double *x) {
   for (size_t i = 0; i < m->row_count; i++)
     invert_block(m->blocks[m->starts[i]], m->inverse[i]);
   memset(x, 0, 3 * m->row_count * sizeof *x);
@@ -199,5 +199,5 @@ void block_matrix_solve(block_matrix *m, const double *b, double tolerance, size
                           precondition_copy,
                           m,
                           {m->work[0], m->work[1], m->work[2], m->work[3]}};
-  conjugate_gradients(&system, b, tolerance, limit, x);
+  return conjugate_gradients(context, &system, b, tolerance, limit, x);
 }

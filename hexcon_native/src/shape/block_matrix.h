@@ -30,7 +30,7 @@ double *block_matrix_at(const block_matrix *m, int32_t low, int32_t high);
  * @param x  [3 row_count] receives the solution
  * @param tolerance  as for conjugate_gradients. Cost: two products per iteration.
  */
-void block_matrix_solve(block_matrix *m, const double *b, double tolerance, size_t limit,
-                        double *x);
+hexcon_status block_matrix_solve(hexcon_context *context, block_matrix *m, const double *b,
+                                 double tolerance, size_t limit, double *x);
 
 #endif

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sorting.h"
 #include "base/vector.h"
 #include "verify/hex_tables.h"
 
@@ -32,15 +33,16 @@ static hexcon_status order_points(hexcon_context *context, const double *points,
         isnan(place) ? 0 : place; /* a sum beyond all numbers; sorting needs an order */
     placed[v].id = (int32_t)v;
   }
-  qsort(placed, out->point_count, sizeof *placed, compare_points);
-  for (size_t i = 0; i < out->point_count; i++) {
+  hexcon_status status =
+      context_sort(context, placed, out->point_count, sizeof *placed, compare_points);
+  for (size_t i = 0; !status && i < out->point_count; i++) {
     rank[placed[i].id] = (int32_t)i;
     out->point_ids[i] = placed[i].id;
     out->fixed[i] = fixed[placed[i].id];
     memcpy(out->points + 3 * i, points + 3 * (size_t)placed[i].id, 3 * sizeof *points);
   }
   context_free(context, placed);
-  return HEXCON_OK;
+  return status ? status : context_after(context, out->point_count);
 }
 
 /** The same hex, from its lowest point on, towards the lowest of that point's neighbours. */
@@ -80,20 +82,25 @@ static hexcon_status order_hexes(hexcon_context *context, const int32_t *hexes, 
   if (!starts)
     return HEXCON_OUT_OF_MEMORY;
   int32_t turned[8];
-  for (size_t h = 0; h < out->hex_count; h++) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t h = 0; !status && h < out->hex_count; h++) {
     turn_hex(hexes + 8 * h, rank, turned);
     starts[turned[0] + 2]++;
+    status = context_pass(context, h);
   }
   for (size_t v = 2; v < out->point_count + 2; v++)
     starts[v] += starts[v - 1];
-  for (size_t h = 0; h < out->hex_count; h++) {
+  for (size_t h = 0; !status && h < out->hex_count; h++) {
     turn_hex(hexes + 8 * h, rank, turned);
     memcpy(out->hexes + 8 * starts[turned[0] + 1]++, turned, sizeof turned);
+    status = context_pass(context, h);
   }
-  for (size_t v = 0; v < out->point_count; v++)
+  for (size_t v = 0; !status && v < out->point_count; v++) {
     qsort(out->hexes + 8 * starts[v], starts[v + 1] - starts[v], sizeof turned, compare_hexes);
+    status = context_pass(context, v);
+  }
   context_free(context, starts);
-  return HEXCON_OK;
+  return status;
 }
 
 hexcon_status canonical_order_new(hexcon_context *context, const double *points, size_t point_count,

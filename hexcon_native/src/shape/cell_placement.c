@@ -20,8 +20,10 @@ static double corner_weight(size_t i, const double at[3]) {
   return (right ? at[0] : 1 - at[0]) * (back ? at[1] : 1 - at[1]) * (up ? at[2] : 1 - at[2]);
 }
 
-void place_cells(const double_box *box, const int32_t *cells, size_t count, double *points) {
-  for (size_t row = 0; row < box->point_count; row++) {
+hexcon_status place_cells(hexcon_context *context, const double_box *box, const int32_t *cells,
+                          size_t count, double *points) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t row = 0; !status && row < box->point_count; row++) {
     if (is_corner(box, (int)row))
       continue;
     const double *local = box->local[row], at[3] = {local[0], fabs(local[1]), local[2]};
@@ -37,11 +39,15 @@ void place_cells(const double_box *box, const int32_t *cells, size_t count, doub
       for (size_t k = 0; k < 3; k++)
         points[3 * (size_t)cell[row] + k] = sum[k];
     }
+    status = context_after(context, count);
   }
+  return status;
 }
 
-void place_means(const int32_t *means, size_t count, size_t first_point, double *points) {
-  for (size_t p = 0; p < count; p++) {
+hexcon_status place_means(hexcon_context *context, const int32_t *means, size_t count,
+                          size_t first_point, double *points) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t p = 0; !status && p < count; p++) {
     const int32_t *of = means + 4 * p;
     size_t corners = 0;
     double sum[3] = {0};
@@ -49,5 +55,7 @@ void place_means(const int32_t *means, size_t count, size_t first_point, double 
       vector_add_scaled(sum, 1, points + 3 * (size_t)of[corners]);
     for (size_t k = 0; k < 3; k++)
       points[3 * (first_point + p) + k] = sum[k] / (double)corners;
+    status = context_pass(context, p);
   }
+  return status;
 }

@@ -3,8 +3,7 @@
 #ifndef HEXCON_SHAPE_CELL_PLACEMENT_H
 #define HEXCON_SHAPE_CELL_PLACEMENT_H
 
-#include <stddef.h>
-#include <stdint.h>
+#include "base/context.h"
 
 /** A template over two boxes that share a side: the second is the first's mirror image at y = 0. */
 typedef struct double_box {
@@ -19,9 +18,11 @@ typedef struct double_box {
  * @param cells   [count][point_count] rows of `points`
  * @param points  [][3] rows of the boxes' corners are read, the others written. Linear.
  */
-void place_cells(const double_box *box, const int32_t *cells, size_t count, double *points);
+hexcon_status place_cells(hexcon_context *context, const double_box *box, const int32_t *cells,
+                          size_t count, double *points);
 
 /** Put points at the means of up to four others: means [count][4], -1 for none. Linear. */
-void place_means(const int32_t *means, size_t count, size_t first_point, double *points);
+hexcon_status place_means(hexcon_context *context, const int32_t *means, size_t count,
+                          size_t first_point, double *points);
 
 #endif

@@ -3,7 +3,7 @@
 #ifndef HEXCON_SHAPE_CONJUGATE_GRADIENTS_H
 #define HEXCON_SHAPE_CONJUGATE_GRADIENTS_H
 
-#include <stddef.h>
+#include "base/context.h"
 
 /** Write a linear image of `in` to `out`; both [count], and not the same. */
 typedef void (*linear_map)(void *user, const double *in, double *out);
@@ -21,8 +21,9 @@ typedef struct linear_system {
  * @param b  [count]
  * @param x  [count] start and result
  * Cost: a product and a preconditioning per iteration.
+ * @return CANCELLED, OUT_OF_TIME: x is then what it had come to
  */
-void conjugate_gradients(const linear_system *system, const double *b, double tolerance,
-                         size_t limit, double *x);
+hexcon_status conjugate_gradients(hexcon_context *context, const linear_system *system,
+                                  const double *b, double tolerance, size_t limit, double *x);
 
 #endif

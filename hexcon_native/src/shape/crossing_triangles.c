@@ -129,8 +129,10 @@ hexcon_status crossing_triangles_mark(hexcon_context *context, const surface *s,
   if (!status)
     status = triangle_grid_new(context, points, triangles, 2 * outer, &grid);
   comparison c = {&grid, outer, (int32_t)s->point_count, marked};
-  for (size_t t = outer; !status && t < 2 * outer; t++)
+  for (size_t t = outer; !status && t < 2 * outer; t++) {
     *count += crosses_any(&c, t);
+    status = context_pass(context, t);
+  }
   triangle_grid_free(context, &grid);
   context_free(context, points);
   context_free(context, triangles);

@@ -108,7 +108,7 @@ static void precondition(void *user, const double *in, double *out) {
 }
 
 /** Unknown lengths start at the mean of the trusted ones; then the rest is solved for. */
-static void solve(spreading *s, double *const work[5]) {
+static hexcon_status solve(hexcon_context *context, spreading *s, double *const work[5]) {
   double sum = 0, *b = work[4];
   size_t count = 0;
   for (size_t e = 0; e < s->edge_count; e++)
@@ -126,9 +126,10 @@ static void solve(spreading *s, double *const work[5]) {
   memset(change, 0, s->edge_count * sizeof *change);
   for (size_t e = 0; e < s->edge_count; e++)
     b[e] = -b[e];
-  conjugate_gradients(&system, b, 1e-4, 2000, change);
+  hexcon_status status = conjugate_gradients(context, &system, b, 1e-4, 2000, change);
   for (size_t e = 0; e < s->edge_count; e++)
     s->lengths[e] += change[e];
+  return status;
 }
 
 hexcon_status edge_lengths_spread(hexcon_context *context, patch *p, const uint8_t *healthy) {
@@ -147,7 +148,7 @@ hexcon_status edge_lengths_spread(hexcon_context *context, patch *p, const uint8
   }
   if (!status) {
     measure_edges(&s, healthy);
-    solve(&s, work);
+    status = solve(context, &s, work);
     for (size_t i = 0; i < PATCH_EDGES * p->hex_count; i++)
       p->stretch[i] = exp(-s.lengths[s.edges[i]]);
   }

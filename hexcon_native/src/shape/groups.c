@@ -34,20 +34,24 @@ static size_t append_neighbours(const region_set *set, int32_t hex, size_t end, 
   return end;
 }
 
-void hex_groups_fill(const region_set *set, const int32_t *seeds, size_t seed_count, size_t limit,
-                     hex_groups *groups) {
+hexcon_status hex_groups_fill(hexcon_context *context, const region_set *set, const int32_t *seeds,
+                              size_t seed_count, size_t limit, hex_groups *groups) {
+  hexcon_status status = HEXCON_OK;
   for (size_t i = 0; i < seed_count; i++)
     groups->wanted[seeds[i]] = 1;
   groups->count = 0;
   size_t end = 0;
-  for (size_t i = 0; i < seed_count; i++) {
+  for (size_t i = 0; !status && i < seed_count; i++) {
     if (!groups->wanted[seeds[i]])
       continue;
     size_t next = end, most = limit < seed_count - end ? end + limit : seed_count;
     groups->wanted[seeds[i]] = 0;
     groups->hexes[end++] = seeds[i];
-    for (; next < end; next++)
+    for (; !status && next < end; next++) {
       end = append_neighbours(set, groups->hexes[next], end, most, groups);
+      status = context_pass(context, next);
+    }
     groups->starts[++groups->count] = end;
   }
+  return status;
 }

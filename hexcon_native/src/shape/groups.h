@@ -22,7 +22,7 @@ void hex_groups_free(hexcon_context *context, hex_groups *groups);
  * @param limit  seeds in a group at most; a larger cluster is cut into several
  * Linear in the hexes at the seeds' points.
  */
-void hex_groups_fill(const region_set *set, const int32_t *seeds, size_t seed_count, size_t limit,
-                     hex_groups *groups);
+hexcon_status hex_groups_fill(hexcon_context *context, const region_set *set, const int32_t *seeds,
+                              size_t seed_count, size_t limit, hex_groups *groups);
 
 #endif

@@ -66,7 +66,7 @@ static void precondition(void *user, const double *in, double *out) {
 }
 
 /** The inner rows, from those on the rim. */
-static void solve(harmonic *h, double *values) {
+static hexcon_status solve(hexcon_context *context, harmonic *h, double *values) {
   double *pull = h->work[4], *inner = h->work[5];
   for (size_t v = 0; v < h->point_count; v++)
     if (!h->fixed[v])
@@ -79,10 +79,12 @@ static void solve(harmonic *h, double *values) {
   linear_system system = {
       h->point_count, apply, precondition, h, {h->work[0], h->work[1], h->work[2], h->work[3]}};
   size_t limit = 100 + 20 * (size_t)sqrt((double)h->point_count);
-  conjugate_gradients(&system, pull, relative_residual, limit, inner);
+  hexcon_status status =
+      conjugate_gradients(context, &system, pull, relative_residual, limit, inner);
   for (size_t v = 0; v < h->point_count; v++)
     if (!h->fixed[v])
       values[v] = inner[v];
+  return status;
 }
 
 /** Take from the leftover its part along a basis function, and add that part inside. */
@@ -128,7 +130,9 @@ hexcon_status harmonic_extend(hexcon_context *context, harmonic *h, double toler
     project(h, h->basis[i], leftover, values);
   if (largest_on_rim(h, leftover) <= tolerance)
     return HEXCON_OK;
-  solve(h, leftover);
+  hexcon_status status = solve(context, h, leftover);
+  if (status)
+    return status;
   for (size_t v = 0; v < h->point_count; v++)
     if (!h->fixed[v])
       values[v] += leftover[v];

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sorting.h"
 #include "base/workers.h"
 #include "canonical_order.h"
 #include "groups.h"
@@ -177,12 +178,15 @@ static hexcon_status improve_groups(hexcon_context *context, improvement *m, int
   atomic_store(&m->moved, false);
   for (size_t left = m->groups.count; !status && left > 0;) {
     region_set_clear(&m->set);
-    for (size_t g = 0; g < m->groups.count; g++)
+    for (size_t g = 0; !status && g < m->groups.count; g++) {
       if (m->postponed[g] && region_set_add(&m->set, m->groups.hexes + m->groups.starts[g],
                                             m->groups.starts[g + 1] - m->groups.starts[g], layers))
         m->postponed[g] = 0;
+      status = context_pass(context, g);
+    }
     left -= m->set.count;
-    status = workers_run(context, m->threads, m->set.count, m->stage, improve_region, m);
+    if (!status)
+      status = workers_run(context, m->threads, m->set.count, m->stage, improve_region, m);
   }
   region_set_clear(&m->set);
   return status;
@@ -214,17 +218,20 @@ static hexcon_status repair_mesh(hexcon_context *context, improvement *m, int ro
   m->stage = STAGE_UNTANGLING;
   for (; !status && *done < (size_t)rounds; ++*done) {
     size_t count = 0;
-    for (size_t h = 0; h < m->set.mesh_hex_count; h++)
+    for (size_t h = 0; !status && h < m->set.mesh_hex_count; h++) {
       if (is_inverted(m->quality[h]) && has_free_point(m, h))
         m->seeds[count++] = (int32_t)h;
+      status = context_pass(context, h);
+    }
     harder += count >= before;
     before = count;
-    if (count == 0 || harder == most)
+    if (status || count == 0 || harder == most)
       break;
     m->patient = efforts[harder].patient;
     tell(context, m);
-    hex_groups_fill(&m->set, m->seeds, count, SIZE_MAX, &m->groups);
-    status = improve_groups(context, m, efforts[harder].layers);
+    status = hex_groups_fill(context, &m->set, m->seeds, count, SIZE_MAX, &m->groups);
+    if (!status)
+      status = improve_groups(context, m, efforts[harder].layers);
   }
   return status;
 }
@@ -272,14 +279,18 @@ static hexcon_status rank_seeds(hexcon_context *context, improvement *m, double 
   }
   tell(context, m);
   double limit = fmin(*worst + reach * fmax(mean - *worst, 1e-3), target);
-  for (size_t h = 0; h < hex_count; h++)
+  hexcon_status status = HEXCON_OK;
+  for (size_t h = 0; !status && h < hex_count; h++) {
     if (m->quality[h] < limit && !is_inverted(m->quality[h]) && has_free_point(m, h))
       ranked[(*count)++] = (ranked_hex){m->quality[h], (int32_t)h};
-  qsort(ranked, *count, sizeof *ranked, compare_ranked);
+    status = context_pass(context, h);
+  }
+  if (!status)
+    status = context_sort(context, ranked, *count, sizeof *ranked, compare_ranked);
   for (size_t i = 0; i < *count; i++)
     m->seeds[i] = ranked[i].hex;
   context_free(context, ranked);
-  return HEXCON_OK;
+  return status;
 }
 
 static hexcon_status sharpen_mesh(hexcon_context *context, improvement *m, int rounds,
@@ -295,9 +306,10 @@ static hexcon_status sharpen_mesh(hexcon_context *context, improvement *m, int r
     if (status || count == 0)
       break;
     m->distance = pass->distance;
-    hex_groups_fill(&m->set, m->seeds, count, SHARPENED_AT_ONCE, &m->groups);
-    status = improve_groups(context, m, pass->layers);
-    if (*done + 1 >= SHARPENINGS && !atomic_load(&m->moved)) {
+    status = hex_groups_fill(context, &m->set, m->seeds, count, SHARPENED_AT_ONCE, &m->groups);
+    if (!status)
+      status = improve_groups(context, m, pass->layers);
+    if (!status && *done + 1 >= SHARPENINGS && !atomic_load(&m->moved)) {
       ++*done; /* all that follow would be alike */
       break;
     }
@@ -320,9 +332,10 @@ static hexcon_status raise_mean(hexcon_context *context, improvement *m, int pas
       break;
     if (pass == 0)
       m->floor = fmax(fmin(worst, fmax(floor_part * worst, lowest_floor)), least_floor);
-    hex_groups_fill(&m->set, m->seeds, count, SHARPENED_AT_ONCE, &m->groups);
-    status = improve_groups(context, m, 0);
-    if (!atomic_load(&m->moved))
+    status = hex_groups_fill(context, &m->set, m->seeds, count, SHARPENED_AT_ONCE, &m->groups);
+    if (!status)
+      status = improve_groups(context, m, 0);
+    if (!status && !atomic_load(&m->moved))
       break; /* all that follow would be alike */
   }
   return status;
@@ -389,6 +402,7 @@ hexcon_status improve_mesh(hexcon_context *context, double *points, size_t point
                            const hexcon_optimize_options *options, size_t *rounds) {
   const hexcon_optimize_options defaults = {0};
   canonical_order mesh;
+  context_reserve(context, hex_count);
   hexcon_status status =
       canonical_order_new(context, points, point_count, hexes, hex_count, fixed, &mesh);
   if (!status) {

@@ -156,19 +156,22 @@ static void draw_folded(offsetting *o) {
   memcpy(o->drawn, o->smooth, o->s->point_count * sizeof *o->drawn);
 }
 
-static void draw_to_center(offsetting *o, double *inner) {
+static hexcon_status draw_to_center(hexcon_context *context, offsetting *o, double *inner) {
   const int most_rounds = 20;
   place_offset(o);
   blend(o, inner);
   size_t folded = mark_folded(o, inner);
-  for (int round = 0; folded > 0 && round < most_rounds; round++) {
+  hexcon_status status = context_after(context, o->s->quad_count);
+  for (int round = 0; !status && folded > 0 && round < most_rounds; round++) {
     draw_folded(o);
     blend(o, inner);
     folded = mark_folded(o, inner);
+    status = context_after(context, o->s->quad_count);
   }
   for (size_t v = 0; folded > 0 && v < o->s->point_count; v++)
     o->drawn[v] = 1;
   blend(o, inner);
+  return status;
 }
 
 /* ------------------------------------------------------------------------------- without a centre
@@ -227,7 +230,9 @@ static hexcon_status rise_from_faults(hexcon_context *context, offsetting *o) {
       o->depth[v] *= o->folded[v] ? rising : 1;
     smooth_depths(o);
     place_offset(o);
-    status = mark_faults(context, o, &faults);
+    status = context_after(context, o->s->point_count);
+    if (!status)
+      status = mark_faults(context, o, &faults);
   }
   return status;
 }
@@ -262,11 +267,11 @@ hexcon_status inner_surface_place(hexcon_context *context, const surface *s,
   hexcon_status status = offsetting_new(context, s, &o);
   if (!status) {
     find_depths(&o);
-    if (options->no_center)
-      status = rise_from_faults(context, &o);
-    else
-      draw_to_center(&o, inner);
+    status = context_after(context, s->point_count);
   }
+  if (!status)
+    status =
+        options->no_center ? rise_from_faults(context, &o) : draw_to_center(context, &o, inner);
   if (!status && options->no_center)
     memcpy(inner, o.offset, 3 * s->point_count * sizeof *inner);
   offsetting_free(context, &o);

@@ -88,9 +88,12 @@ hexcon_status inward_directions_new(hexcon_context *context, const surface *s,
   if (!out->normals || !out->starts || !out->corners || !out->directions || !out->sinking)
     return HEXCON_OUT_OF_MEMORY;
   collect_corners(s, out);
-  for (size_t v = 0; v < points; v++)
+  hexcon_status status = context_after(context, corners);
+  for (size_t v = 0; !status && v < points; v++) {
     out->sinking[v] = deepest_direction(out, v, out->directions + 3 * v);
-  return HEXCON_OK;
+    status = context_pass(context, v);
+  }
+  return status;
 }
 
 void inward_directions_free(hexcon_context *context, inward_directions *in) {

@@ -99,6 +99,7 @@ hexcon_status inward_room_find(hexcon_context *context, const surface *s, const 
     ray r = {s->points + 3 * v, directions + 3 * v, room[v]};
     follow(s, &grid, v, &r);
     room[v] = r.length;
+    status = context_pass(context, v);
   }
   triangle_grid_free(context, &grid);
   context_free(context, triangles);

@@ -14,20 +14,28 @@ static void take_mean(const int32_t *of, const double *points, double mean[3]) {
     mean[k] /= (double)parents;
 }
 
-void place_plain_means(const int32_t *means, size_t count, size_t first, double *points) {
-  for (size_t p = 0; p < count; p++)
+hexcon_status place_plain_means(hexcon_context *context, const int32_t *means, size_t count,
+                                size_t first, double *points) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t p = 0; !status && p < count; p++) {
     take_mean(means + 4 * p, points, points + 3 * (first + p));
+    status = context_pass(context, p);
+  }
+  return status;
 }
 
-void place_drawn_means(const int32_t *means, size_t count, size_t first, const anchors *to,
-                       double share, double *points) {
-  for (size_t p = 0; p < count; p++) {
+hexcon_status place_drawn_means(hexcon_context *context, const int32_t *means, size_t count,
+                                size_t first, const anchors *to, double share, double *points) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t p = 0; !status && p < count; p++) {
     double mean[3];
     const double *anchor = anchor_of(to, first + p);
     take_mean(means + 4 * p, points, mean);
     for (size_t k = 0; k < 3; k++)
       points[3 * (first + p) + k] = mean[k] + share * (anchor[k] - mean[k]);
+    status = context_pass(context, p);
   }
+  return status;
 }
 
 /** Weights of the corners of the triangle in which a place lies. */

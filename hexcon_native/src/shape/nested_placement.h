@@ -3,8 +3,7 @@
 #ifndef HEXCON_SHAPE_NESTED_PLACEMENT_H
 #define HEXCON_SHAPE_NESTED_PLACEMENT_H
 
-#include <stddef.h>
-#include <stdint.h>
+#include "base/context.h"
 
 /** Where points are drawn to: one place for all, such as the centre of a star-shaped body, or each
  * to its own, on a copy of the surface inside it. */
@@ -22,12 +21,13 @@ static inline const double *anchor_of(const anchors *to, size_t point) {
  * @param means  [count][4] rows of `points`, -1: fewer
  * @param points [][3] rows first .. first + count - 1 are written. Linear.
  */
-void place_plain_means(const int32_t *means, size_t count, size_t first, double *points);
+hexcon_status place_plain_means(hexcon_context *context, const int32_t *means, size_t count,
+                                size_t first, double *points);
 
 /** As place_plain_means, then draw the points towards their anchors, which are known.
  * @param share  of the way */
-void place_drawn_means(const int32_t *means, size_t count, size_t first, const anchors *to,
-                       double share, double *points);
+hexcon_status place_drawn_means(hexcon_context *context, const int32_t *means, size_t count,
+                                size_t first, const anchors *to, double share, double *points);
 
 /** Where a template's point lies over a quad that is split in four: a mean of the base's nine
  * points and the anchors of its corners. */

@@ -6,6 +6,7 @@
 
 hexcon_status newton_new(hexcon_context *context, const patch *p, newton *out) {
   memset(out, 0, sizeof *out);
+  out->context = context;
   hexcon_status status = block_matrix_new(context, p, &out->hessian);
   out->gradient = context_allocate(context, p->free_count, 3 * sizeof *out->gradient);
   out->step = context_allocate(context, p->free_count, 3 * sizeof *out->step);
@@ -31,12 +32,17 @@ double newton_step(newton *n, patch *p, const frame_energy_options *options) {
     return 0;
   for (size_t i = 0; i < count; i++)
     n->gradient[i] = -n->gradient[i];
-  block_matrix_solve(&n->hessian, n->gradient, tolerance, most_products, n->step);
+  n->status = context_after(n->context, count);
+  if (!n->status)
+    n->status =
+        block_matrix_solve(n->context, &n->hessian, n->gradient, tolerance, most_products, n->step);
+  if (n->status)
+    return 0;
   double descent = 0, length = 1;
   for (size_t i = 0; i < count; i++)
     descent += n->gradient[i] * n->step[i];
   memcpy(n->trial, p->x, 3 * p->point_count * sizeof *n->trial);
-  for (int halving = 0; halving < most_halvings; halving++) {
+  for (int halving = 0; !n->status && halving < most_halvings; halving++) {
     for (size_t i = 0; i < count; i++)
       n->trial[i] = p->x[i] + length * n->step[i];
     double after = patch_energy(p, n->trial, options, NULL, NULL).energy;
@@ -45,6 +51,7 @@ double newton_step(newton *n, patch *p, const frame_energy_options *options) {
       return (before - after) / fmax(fabs(before), 1e-300);
     }
     length /= 2;
+    n->status = context_after(n->context, count);
   }
   return 0;
 }
@@ -52,7 +59,7 @@ double newton_step(newton *n, patch *p, const frame_energy_options *options) {
 double newton_descend(newton *n, patch *p, const frame_energy_options *options,
                       double smallest_decrease, int most) {
   double left = 1;
-  for (int i = 0; i < most; i++) {
+  for (int i = 0; !n->status && i < most; i++) {
     double decrease = newton_step(n, p, options);
     left *= 1 - decrease;
     if (decrease < smallest_decrease)

@@ -7,6 +7,8 @@
 
 /** Buffers for one patch; its targets and energy may change between calls, its hexes may not. */
 typedef struct newton {
+  hexcon_context *context;
+  hexcon_status status; /**< of the last step: CANCELLED, OUT_OF_TIME; the patch stays as it was */
   block_matrix hessian;
   double *gradient, *step; /**< [3 free_count] */
   double *trial;           /**< [3 point_count] */

@@ -70,5 +70,5 @@ hexcon_status raise_mean_patch(hexcon_context *context, newton *n, patch *p, dou
   context_free(context, p->shares);
   p->shares = NULL;
   context_free(context, backup);
-  return status;
+  return status ? status : n->status;
 }

@@ -68,6 +68,7 @@ hexcon_status reference_placement(hexcon_context *context, patch *p) {
   s.pulls = context_allocate(context, p->hex_count, sizeof *s.pulls);
   s.degree = context_allocate_zeroed(context, p->free_count, sizeof *s.degree);
   s.all = context_allocate_zeroed(context, p->point_count, 3 * sizeof *s.all);
+  hexcon_status status = HEXCON_OK;
   bool ready = s.pulls && s.degree && s.all;
   for (int i = 0; i < 6; i++) {
     work[i] = context_allocate_zeroed(context, count, sizeof *work[i]);
@@ -80,7 +81,7 @@ hexcon_status reference_placement(hexcon_context *context, patch *p) {
     apply(&s, p->x, work[4]);
     for (size_t i = 0; i < count; i++)
       work[4][i] = -work[4][i];
-    conjugate_gradients(&system, work[4], 1e-5, 2000, work[5]);
+    status = conjugate_gradients(context, &system, work[4], 1e-5, 2000, work[5]);
     for (size_t i = 0; i < count; i++)
       p->x[i] += work[5][i];
   }
@@ -89,5 +90,5 @@ hexcon_status reference_placement(hexcon_context *context, patch *p) {
   context_free(context, s.pulls);
   context_free(context, s.degree);
   context_free(context, s.all);
-  return ready ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
+  return ready ? status : HEXCON_OUT_OF_MEMORY;
 }

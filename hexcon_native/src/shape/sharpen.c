@@ -26,5 +26,5 @@ hexcon_status sharpen_patch(hexcon_context *context, newton *n, patch *p, double
     status = context_progress(context, STAGE_OPTIMISATION, (double)step / most_steps);
   }
   context_free(context, backup);
-  return status;
+  return status ? status : n->status;
 }

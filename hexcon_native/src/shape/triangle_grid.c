@@ -69,8 +69,9 @@ box_range triangle_grid_boxes(const triangle_grid *grid, const double bounds[6])
 typedef enum filing { COUNTING, LISTING } filing;
 
 /** Go through the boxes of every triangle: count it there, or list it, from the box's end on. */
-static void file_all(triangle_grid *grid, filing what) {
-  for (size_t t = grid->triangle_count; t-- > 0;) {
+static hexcon_status file_all(hexcon_context *context, triangle_grid *grid, filing what) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t t = grid->triangle_count; !status && t-- > 0;) {
     double bounds[6];
     size_t box[3];
     triangle_bounds(grid, t, bounds);
@@ -84,7 +85,9 @@ static void file_all(triangle_grid *grid, filing what) {
           else
             grid->items[--*start] = (int32_t)t;
         }
+    status = context_pass(context, t);
   }
+  return status;
 }
 
 hexcon_status triangle_grid_new(hexcon_context *context, const double *points,
@@ -97,14 +100,15 @@ hexcon_status triangle_grid_new(hexcon_context *context, const double *points,
   out->starts = context_allocate_zeroed(context, boxes + 1, sizeof *out->starts);
   if (!out->starts)
     return HEXCON_OUT_OF_MEMORY;
-  file_all(out, COUNTING);
+  hexcon_status status = file_all(context, out, COUNTING);
+  if (status)
+    return status;
   for (size_t i = 0; i < boxes; i++)
     out->starts[i + 1] += out->starts[i];
   out->items = context_allocate(context, out->starts[boxes], sizeof *out->items);
   if (!out->items)
     return HEXCON_OUT_OF_MEMORY;
-  file_all(out, LISTING);
-  return HEXCON_OK;
+  return file_all(context, out, LISTING);
 }
 
 void triangle_grid_free(hexcon_context *context, triangle_grid *grid) {

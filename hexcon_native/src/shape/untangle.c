@@ -20,6 +20,8 @@ hexcon_status untangle_patch(hexcon_context *context, newton *n, patch *p, bool 
   hexcon_status status = HEXCON_OK;
   for (int round = 0; !status && round < rounds && !*done; round++) {
     double left = newton_descend(n, p, &options, smallest_decrease, steps);
+    if (n->status)
+      return n->status;
     double determinant = patch_worst_frame(p, p->x, &options).determinant;
     *done = determinant > 0;
     options.epsilon = next_epsilon(options.epsilon, determinant, left);
@@ -30,5 +32,5 @@ hexcon_status untangle_patch(hexcon_context *context, newton *n, patch *p, bool 
   options.epsilon = 0;
   if (*done && !status)
     (void)newton_descend(n, p, &options, smallest_decrease, 10);
-  return status;
+  return status ? status : n->status;
 }

@@ -19,18 +19,22 @@ void cell_filling_free(hexcon_context *context, cell_filling *f) {
 /** Levels of layers lie evenly between the surface and its inner copy; a cell is deeper. */
 static const double cell_to_layer = 1.5;
 
-static void place_layers(const cell_problem *p, double *points) {
+static hexcon_status place_layers(hexcon_context *context, const cell_problem *p, double *points) {
+  hexcon_status status = HEXCON_OK;
   const cell_complex *cells = &p->cells;
   size_t width = 3 * p->s->point_count;
   const double *inner = points + 3 * cells->first_inner;
-  for (size_t level = 1; level <= cells->layers; level++) {
+  for (size_t level = 1; !status && level <= cells->layers; level++) {
     double part = (double)level / ((double)cells->layers + cell_to_layer);
     for (size_t i = 0; i < width; i++)
       points[level * width + i] = (1 - part) * points[i] + part * inner[i];
+    status = context_after(context, p->s->point_count);
   }
+  return status;
 }
 
-static void place_dominoes(const cell_problem *p, double (*local)[3], double *points) {
+static hexcon_status place_dominoes(hexcon_context *context, const cell_problem *p,
+                                    double (*local)[3], double *points) {
   static const char *const labels[2][8] = {{"O0", "O1", "O2", "O3", "I0", "I1", "I2", "I3"},
                                            {"O0", "O1", "bO2", "bO3", "I0", "I1", "bI2", "bI3"}};
   const hex_template *t = p->cells.domino;
@@ -40,7 +44,7 @@ static void place_dominoes(const cell_problem *p, double (*local)[3], double *po
       box.rows[half][i] = template_row(t, labels[half][i]);
   for (size_t i = 0; i < t->point_count; i++)
     memcpy(local[i], t->points[i].place, sizeof *local);
-  place_cells(&box, p->cells.cell_points, p->cells.cell_count, points);
+  return place_cells(context, &box, p->cells.cell_points, p->cells.cell_count, points);
 }
 
 /** All points of layers and cells. */
@@ -58,10 +62,10 @@ static hexcon_status place(hexcon_context *context, const cell_problem *p, doubl
   double(*local)[3] = context_allocate(context, p->cells.domino->point_count, sizeof *local);
   if (!local)
     return HEXCON_OUT_OF_MEMORY;
-  if (!status) {
-    place_layers(p, points);
-    place_dominoes(p, local, points);
-  }
+  if (!status)
+    status = place_layers(context, p, points);
+  if (!status)
+    status = place_dominoes(context, p, local, points);
   context_free(context, local);
   return status;
 }
@@ -106,10 +110,11 @@ static hexcon_status assemble(hexcon_context *context, const cell_problem *p, co
     return HEXCON_OUT_OF_MEMORY;
   memcpy(f->points, placed, 3 * cells->point_count * sizeof *f->points);
   memcpy(f->points + 3 * cells->point_count, c->points, 3 * c->point_count * sizeof *f->points);
-  place_means(diced->means, diced->point_count, first_mean, f->points);
+  hexcon_status status =
+      place_means(context, diced->means, diced->point_count, first_mean, f->points);
   memcpy(f->hexes, cells->hexes, 8 * cells->hex_count * sizeof *f->hexes);
   memcpy(f->hexes + 8 * cells->hex_count, diced->hexes, 8 * diced->hex_count * sizeof *f->hexes);
-  return HEXCON_OK;
+  return status ? status : context_after(context, f->hex_count);
 }
 
 static hexcon_status close_inside(hexcon_context *context, const cell_problem *p, closure_kind kind,

@@ -90,7 +90,8 @@ static hexcon_status check_faces(hexcon_context *context, const closure *c,
   if (!met)
     status = HEXCON_OUT_OF_MEMORY;
   *match = !status;
-  for (size_t i = 0; *match && i < most; i++) {
+  for (size_t i = 0; !status && *match && i < most; i++) {
+    status = context_pass(context, i);
     size_t face = i - triangle_count; /* of the tetrahedra, after the triangles */
     const int32_t *ids = i < triangle_count ? triangles + 3 * i : c->tetrahedra + 4 * (face / 4);
     const unsigned char *way = i < triangle_count ? inward : faces[face % 4];

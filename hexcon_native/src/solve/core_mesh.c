@@ -168,13 +168,14 @@ static hexcon_status try_way(hexcon_context *context, const surface *s,
       core_filling_build(context, &core->s, way->way, way->thickness, options, &filling);
   if (!status && (filling.points || way->way == CORE_NONE))
     status = join(context, core, &filling, &made);
-  if (!status && made.points)
+  bool joined = !status && made.points;
+  if (joined)
     status = improve(context, s, options->threads, &made);
   if (!status) {
     log_attempt(told, core, way, &made);
     best->attempt_count++;
   }
-  if (!status && made.points && is_better(&made, &best->mesh))
+  if (joined && mesh_stop(context, status) && is_better(&made, &best->mesh))
     keep(core, filling.hex_count, &made, best);
   core_filling_free(context, &filling);
   filled_mesh_free(context, &made);

@@ -54,7 +54,8 @@ static hexcon_status place_blocks(hexcon_context *context, const coarse_front *f
   for (size_t row = 0; row < t->point_count; row++)
     places[row] =
         has_apex ? pyramid_place(t, t->points[row].place) : geode_place(t, t->points[row].place);
-  for (size_t q = 0; q < front->block_count; q++) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t q = 0; !status && q < front->block_count; q++) {
     const int32_t *ids = front->block_points + q * t->point_count;
     double tip[3] = {0};
     if (has_apex)
@@ -63,9 +64,10 @@ static hexcon_status place_blocks(hexcon_context *context, const coarse_front *f
     for (size_t row = 0; row < t->point_count; row++)
       if (t->points[row].place[2] > 0 && t->points[row].label[0] != 'T')
         place_over_split_quad(&places[row], ids, ids[row], &to, points);
+    status = context_pass(context, q);
   }
   context_free(context, places);
-  return HEXCON_OK;
+  return status;
 }
 
 static hexcon_status place_apices_of(hexcon_context *context, const diced_problem *p, double scale,
@@ -203,10 +205,10 @@ static hexcon_status assemble(hexcon_context *context, const coarse_front *front
     return status;
   memcpy(out->points, placed, 3 * front->mesh_point_count * sizeof *placed);
   memcpy(out->points + 3 * front->mesh_point_count, c->points, 3 * c->point_count * sizeof *placed);
-  place_means(diced->means, diced->point_count, first_mean, out->points);
+  status = place_means(context, diced->means, diced->point_count, first_mean, out->points);
   write_blocks(front, out->hexes);
   memcpy(out->hexes + 8 * block_hexes, diced->hexes, 8 * diced->hex_count * sizeof *out->hexes);
-  return HEXCON_OK;
+  return status ? status : context_after(context, out->hex_count);
 }
 
 /** Close what is left inside, dice it, and put all together. */

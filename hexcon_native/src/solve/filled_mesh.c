@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "mesh_result.h"
 #include "shape/improve.h"
 #include "verify/jacobian_sign.h"
 #include "verify/scaled_jacobian.h"
@@ -24,17 +25,20 @@ void filled_mesh_free(hexcon_context *context, filled_mesh *mesh) {
   memset(mesh, 0, sizeof *mesh);
 }
 
-void filled_mesh_measure(filled_mesh *mesh) {
+hexcon_status filled_mesh_measure(hexcon_context *context, filled_mesh *mesh) {
+  hexcon_status status = HEXCON_OK;
   mesh->inverted = 0;
   mesh->worst = 1;
   mesh->mean = 0;
-  for (size_t h = 0; h < mesh->hex_count; h++) {
+  for (size_t h = 0; !status && h < mesh->hex_count; h++) {
     const int32_t *hex = mesh->hexes + 8 * h;
     mesh->quality[h] = scaled_jacobian(mesh->points, hex);
     mesh->inverted += prove_jacobian_sign(mesh->points, hex) != JACOBIAN_POSITIVE;
     mesh->worst = fmin(mesh->worst, mesh->quality[h]);
     mesh->mean += mesh->quality[h] / (double)mesh->hex_count;
+    status = context_pass(context, h);
   }
+  return status;
 }
 
 hexcon_status filled_mesh_improve(hexcon_context *context, size_t fixed_count,
@@ -48,6 +52,7 @@ hexcon_status filled_mesh_improve(hexcon_context *context, size_t fixed_count,
                                       mesh->hex_count, fixed, options, &rounds);
   mesh->rounds += rounds;
   context_free(context, fixed);
-  filled_mesh_measure(mesh);
-  return status;
+  hexcon_status measured =
+      mesh_stop(context, status) ? filled_mesh_measure(context, mesh) : HEXCON_OK;
+  return measured ? measured : status;
 }

@@ -21,7 +21,7 @@ hexcon_status filled_mesh_new(hexcon_context *context, size_t point_count, size_
 void filled_mesh_free(hexcon_context *context, filled_mesh *mesh);
 
 /** Find the quality of every hex, the worst and the mean, and how many are not proved positive. */
-void filled_mesh_measure(filled_mesh *mesh);
+hexcon_status filled_mesh_measure(hexcon_context *context, filled_mesh *mesh);
 
 /** Improve it as improve_mesh does, the first fixed_count points at rest, and measure it. */
 hexcon_status filled_mesh_improve(hexcon_context *context, size_t fixed_count,

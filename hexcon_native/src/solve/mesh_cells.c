@@ -84,17 +84,20 @@ static hexcon_status check_found(hexcon_context *context, const cell_filling *be
 
 /* ------------------------------------------------------------------------------------ improving */
 
-static void measure(cell_filling *f) {
+static hexcon_status measure(hexcon_context *context, cell_filling *f) {
+  hexcon_status status = HEXCON_OK;
   f->inverted = 0;
   f->worst = 1;
   f->mean = 0;
-  for (size_t h = 0; h < f->hex_count; h++) {
+  for (size_t h = 0; !status && h < f->hex_count; h++) {
     bool positive = prove_jacobian_sign(f->points, f->hexes + 8 * h) == JACOBIAN_POSITIVE;
     f->quality[h] = scaled_jacobian(f->points, f->hexes + 8 * h);
     f->inverted += !positive;
     f->worst = fmin(f->worst, f->quality[h]);
     f->mean += f->quality[h] / (double)f->hex_count;
+    status = context_pass(context, h);
   }
+  return status;
 }
 
 static hexcon_status improve(hexcon_context *context, const cell_problem *p,
@@ -108,8 +111,8 @@ static hexcon_status improve(hexcon_context *context, const cell_problem *p,
                                       fixed, options, &rounds);
   f->rounds += rounds;
   context_free(context, fixed);
-  measure(f);
-  return status;
+  hexcon_status measured = mesh_stop(context, status) ? measure(context, f) : HEXCON_OK;
+  return measured ? measured : status;
 }
 
 static bool is_good(const cell_problem *p, const cell_filling *f) {
@@ -176,11 +179,12 @@ static hexcon_status try_closure(hexcon_context *context, const cell_problem *p,
                     .layers = p->cells.layers,
                     .pairing = p->pairing};
   hexcon_status status = cell_filling_build(context, p, way->thickness, kind, &f);
-  if (!status && f.points)
+  bool built = !status && f.points;
+  if (built)
     status = improve_roughly(context, p, &f);
   if (!status)
     log_attempt(mesh, way, &f);
-  if (!status && f.points && is_better(&f, best)) {
+  if (built && mesh_stop(context, status) && is_better(&f, best)) {
     cell_filling worse = *best;
     *best = f;
     f = worse;
@@ -273,11 +277,7 @@ hexcon_status mesh_cells(hexcon_context *context, const surface *s,
     status = check_found(context, &best);
   if (!status)
     status = polish(context, &p, &best);
-  if (status == HEXCON_OUT_OF_TIME && best.points) {
-    mesh_log(mesh, "the time budget ran out: the best mesh until then");
-    status = HEXCON_OK;
-    context_clear(context);
-  }
+  status = mesh_settle(context, status, best.points, mesh);
   mesh_note_seconds(mesh, "optimisation", start);
   if (!status) {
     mesh_note(mesh, "attempts", (double)tried);

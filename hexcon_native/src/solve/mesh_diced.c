@@ -159,9 +159,9 @@ static bool is_strained(const filled_mesh *f) {
 /** Improve, but leave strained Geodes as they are while pyramids are left to try. */
 static hexcon_status improve_or_put_off(hexcon_context *context, const diced_problem *p, size_t way,
                                         filled_mesh *f) {
-  filled_mesh_measure(f);
+  hexcon_status status = filled_mesh_measure(context, f);
   bool waits = blocks[way].block == DICED_GEODES && blocks[way].for_quality && is_strained(f);
-  return waits ? HEXCON_OK : improve(context, p, f);
+  return status || waits ? status : improve(context, p, f);
 }
 
 /** Fill so, if that is possible; keep the better of that and `best`. */
@@ -172,11 +172,12 @@ static hexcon_status try_closure(hexcon_context *context, const diced_problem *p
   diced_filling f;
   hexcon_status status =
       diced_filling_build(context, p, blocks[way].block, closure, blocks[way].scale, &f);
-  if (!status && f.mesh.points)
+  bool built = !status && f.mesh.points;
+  if (built)
     status = improve_or_put_off(context, p, way, &f.mesh);
   if (!status)
     log_attempt(mesh, &f);
-  if (!status && f.mesh.points && is_better(&f.mesh, &best->mesh)) {
+  if (built && mesh_stop(context, status) && is_better(&f.mesh, &best->mesh)) {
     diced_filling worse = *best;
     *best = f;
     f = worse;
@@ -277,11 +278,7 @@ hexcon_status mesh_diced(hexcon_context *context, const surface *s,
   find_bound(&p);
   if (!status)
     status = fill(context, &p, &ways, mesh, &best);
-  if (status == HEXCON_OUT_OF_TIME && best.mesh.points && best.mesh.inverted == 0) {
-    mesh_log(mesh, "the time budget ran out: the best mesh until then");
-    status = HEXCON_OK;
-    context_clear(context);
-  }
+  status = mesh_settle(context, status, best.mesh.points && best.mesh.inverted == 0, mesh);
   mesh_note_seconds(mesh, "diced", start);
   if (status)
     filled_mesh_free(context, &best.mesh);

@@ -20,6 +20,22 @@ void mesh_log(hexcon_mesh *mesh, const char *line) {
     mesh->log_length += (size_t)written < room ? (size_t)written : room - 1;
 }
 
+hexcon_status mesh_settle(hexcon_context *context, hexcon_status status, bool found,
+                          hexcon_mesh *mesh) {
+  if (status != HEXCON_OUT_OF_TIME || !found)
+    return status;
+  mesh_log(mesh, "the time budget ran out: the best mesh until then");
+  context_clear(context);
+  context_finish(context);
+  return HEXCON_OK;
+}
+
+bool mesh_stop(hexcon_context *context, hexcon_status status) {
+  if (status == HEXCON_OUT_OF_TIME)
+    context_finish(context);
+  return status == HEXCON_OK || status == HEXCON_OUT_OF_TIME;
+}
+
 double mesh_clock(void) {
   return context_clock();
 }

@@ -33,6 +33,18 @@ void mesh_note(hexcon_mesh *mesh, const char *name, double value);
 /** Add a line to the log; what is beyond MAX_LOG is cut off. */
 void mesh_log(hexcon_mesh *mesh, const char *line);
 
+/**
+ * If the time ran out and there is a mesh all the same, that is the method's: then log it, and let
+ * it be finished.
+ * @return HEXCON_OK then, else `status`
+ */
+hexcon_status mesh_settle(hexcon_context *context, hexcon_status status, bool found,
+                          hexcon_mesh *mesh);
+
+/** After an improvement that kept what it had: whether that can be measured, in time or because the
+ * time has just run out, which then is used for it. */
+bool mesh_stop(hexcon_context *context, hexcon_status status);
+
 /** Seconds since an arbitrary start, for the report only. */
 double mesh_clock(void);
 

@@ -67,34 +67,37 @@ static bool is_enough(const effort *e, const filling *best) {
          (valid && best->worst >= good_part * best->bound);
 }
 
-static void measure(filling *f) {
+static hexcon_status measure(hexcon_context *context, filling *f) {
+  hexcon_status status = HEXCON_OK;
   f->inverted = 0;
   f->worst = 1;
   f->mean = 0;
-  for (size_t h = 0; h < f->hex_count; h++) {
+  for (size_t h = 0; !status && h < f->hex_count; h++) {
     f->quality[h] = scaled_jacobian(f->points, f->hexes + 8 * h);
     f->inverted += f->quality[h] <= 0;
     f->worst = fmin(f->worst, f->quality[h]);
     f->mean += f->quality[h] / (double)f->hex_count;
+    status = context_pass(context, h);
   }
+  return status;
 }
 
 /** Improve what falls short of what the surface allows. */
 static hexcon_status improve(hexcon_context *context, const surface *s, int threads, filling *f) {
-  f->bound = quality_bound(s, f->points, f->hexes, f->hex_count);
+  hexcon_status status = quality_bound(context, s, f->points, f->hexes, f->hex_count, &f->bound);
   hexcon_optimize_options options = {.threads = threads,
                                      .target = fmax(near_the_bound * f->bound, least_target)};
-  if (f->worst >= options.target || f->bound <= 0)
-    return HEXCON_OK;
+  if (status || f->worst >= options.target || f->bound <= 0)
+    return status;
   uint8_t *fixed = context_allocate_zeroed(context, f->point_count, 1);
   if (!fixed)
     return HEXCON_OUT_OF_MEMORY;
   memset(fixed, 1, s->point_count);
-  hexcon_status status = improve_mesh(context, f->points, f->point_count, f->hexes, f->hex_count,
-                                      fixed, &options, &f->rounds);
+  status = improve_mesh(context, f->points, f->point_count, f->hexes, f->hex_count, fixed, &options,
+                        &f->rounds);
   context_free(context, fixed);
-  measure(f);
-  return status;
+  hexcon_status measured = mesh_stop(context, status) ? measure(context, f) : HEXCON_OK;
+  return measured ? measured : status;
 }
 
 /** Take over what a search made. */
@@ -109,8 +112,7 @@ static hexcon_status take(hexcon_context *context, sheet_search *search, filling
   f->quality = context_allocate(context, f->hex_count, sizeof *f->quality);
   if (!f->quality)
     return HEXCON_OUT_OF_MEMORY;
-  measure(f);
-  return HEXCON_OK;
+  return measure(context, f);
 }
 
 /** Remember the smallest core. */
@@ -130,14 +132,16 @@ static hexcon_status try_taste(hexcon_context *context, const surface *s, const 
   e->step_count += search.step_count;
   if (!status && !search.complete)
     status = note_smallest(context, &search, e);
+  bool taken = false;
   if (!status && search.complete) {
     e->mesh_count++;
     status = take(context, &search, &f);
-    if (!status)
+    taken = !status;
+    if (taken)
       status = improve(context, s, threads, &f);
   }
   sheet_search_free(context, &search);
-  if (!status && f.points && is_better(&f, best)) {
+  if (taken && mesh_stop(context, status) && is_better(&f, best)) {
     filling worse = *best;
     *best = f;
     f = worse;
@@ -244,11 +248,7 @@ static hexcon_status try_cores(hexcon_context *context, const surface *s,
   start = mesh_clock();
   if (!status)
     status = core_mesh_make(context, s, options, all.cores, all.count, mesh, out);
-  if (status == HEXCON_OUT_OF_TIME && (out->mesh.points || best->points)) {
-    mesh_log(mesh, "the time budget ran out: the best mesh until then");
-    status = HEXCON_OK;
-    context_clear(context);
-  }
+  status = mesh_settle(context, status, out->mesh.points || best->points, mesh);
   mesh_note_seconds(mesh, "core filling", start);
   sheet_cores_free(context, &all);
   return status;
@@ -269,7 +269,9 @@ hexcon_status mesh_sheets(hexcon_context *context, const surface *s,
   while (!status && !is_enough(&e, &best))
     status = try_taste(context, s, &tastes[e.taste_count], options->threads, &e, &best);
   mesh_note_seconds(mesh, "sheets", start);
-  if (!status && !is_good(&best))
+  bool late = status == HEXCON_OUT_OF_TIME;
+  status = mesh_settle(context, status, best.points != NULL, mesh);
+  if (!status && !late && !is_good(&best))
     status = try_cores(context, s, options, &best, &with_core, mesh);
   if (!status && !best.points && !with_core.mesh.points)
     status = fail(context, s, &e.smallest, with_core.core_count > 0);

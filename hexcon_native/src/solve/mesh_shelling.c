@@ -82,15 +82,16 @@ static hexcon_status judge(hexcon_context *context, shelling *w, const rotation_
   const hexcon_optimize_options options = {.threads = w->options->threads, .mean_passes = 2};
   hexcon_status status = filled_mesh_improve(context, w->s->point_count, &options, made);
   w->mesh_count++;
-  if (status || !is_better(made, &w->best))
+  if (!mesh_stop(context, status) || !is_better(made, &w->best))
     return status;
   filled_mesh worse = w->best;
   w->best = *made;
   *made = worse;
-  w->bound = quality_bound(w->s, w->best.points, w->best.hexes, w->best.hex_count);
+  hexcon_status bounded =
+      quality_bound(context, w->s, w->best.points, w->best.hexes, w->best.hex_count, &w->bound);
   w->rotations = plan->count;
   w->shells = plan->shell_count;
-  return HEXCON_OK;
+  return status ? status : bounded;
 }
 
 /** Fill after one set of rotations. */
@@ -212,11 +213,7 @@ hexcon_status mesh_shelling(hexcon_context *context, const surface *s,
   for (size_t i = 0; !status && i < CORE_WEIGHTS && w.best.inverted + !w.best.points > 0; i++)
     if (w.quads_seen <= most_quads_seen)
       status = search_rotations(context, &w, core_weights[i]);
-  if (status == HEXCON_OUT_OF_TIME && w.best.points) {
-    mesh_log(mesh, "the time budget ran out: the best mesh until then");
-    context_clear(context);
-    status = HEXCON_OK;
-  }
+  status = mesh_settle(context, status, w.best.points, mesh);
   if (!status && !w.best.points)
     status = context_fail(context, HEXCON_NO_ROTATIONS,
                           "no set of rotated edges was found after which the dual loops can be "

@@ -89,9 +89,10 @@ static hexcon_status try_way(hexcon_context *context, const surface *s,
   hexcon_status status = copy_topology(context, s, filling, &m);
   if (!status)
     status = place(context, s, filling, way, &m);
-  if (!status)
+  bool placed = !status;
+  if (placed)
     status = improve(context, s, threads, &m);
-  if (!status && is_better(&m, best)) {
+  if (placed && mesh_stop(context, status) && is_better(&m, best)) {
     const small_mesh worse = *best;
     *best = m;
     m = worse;
@@ -115,10 +116,11 @@ static hexcon_status find_fitness(hexcon_context *context, const surface *s,
                               filling->hexes, points};
   memcpy(points, s->points, 3 * s->point_count * sizeof *points);
   model_placement_affine(&placed, filling->places); /* the bound looks at sizes of whole hexes */
-  out->bound = quality_bound(s, points, filling->hexes, filling->hex_count);
+  hexcon_status status =
+      quality_bound(context, s, points, filling->hexes, filling->hex_count, &out->bound);
   out->misfit = model_placement_misfit(s->points, s->point_count, filling->places);
   context_free(context, points);
-  return HEXCON_OK;
+  return status;
 }
 
 static bool is_fitter(fitness a, fitness b) {
@@ -198,6 +200,7 @@ hexcon_status mesh_smallest(hexcon_context *context, const surface *s,
   small_mesh made;
   const double start = mesh_clock();
   hexcon_status status = small_mesh_build(context, s, options->threads, &made);
+  status = mesh_settle(context, status, made.points && made.inverted == 0, mesh);
   if (!status)
     hand_over(s, &made, mesh);
   small_mesh_free(context, &made);

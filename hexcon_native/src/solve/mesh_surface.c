@@ -7,6 +7,7 @@
 #include "mesh_auto.h"
 #include "mesh_result.h"
 #include "methods.h"
+#include "surface/numbering.h"
 #include "surface/odd_cycles.h"
 #include "surface/shells.h"
 #include "verify/certificate.h"
@@ -182,23 +183,25 @@ static hexcon_status check_embedding(hexcon_context *context, const surface *s,
   hexcon_embedding found;
   if (options->allow_topological && method_find(options->method)->facts.topological)
     return HEXCON_OK;
+  double start = mesh_clock();
   hexcon_status status =
       embedding_prove(context, s->points, s->point_count, s->quads, s->quad_count, &found);
+  context->again = mesh_clock() - start; /* the certificate does it again */
   if (!status && found.embedded != HEXCON_EMBEDDED_YES && !only_folds(&found))
     status = refuse_embedding(context, &found);
   hexcon_embedding_free(context, &found);
   return status;
 }
 
-/** What any hex mesh of one body needs of its boundary. */
-static hexcon_status check_fillable(hexcon_context *context, const surface *s,
-                                    const hexcon_mesh_options *options, hexcon_fillable *fillable) {
+/** What any hex mesh of one body needs of its boundary, whatever its topology; see
+ * check_odd_cycles.
+ */
+static hexcon_status check_body(hexcon_context *context, const surface *s,
+                                const hexcon_mesh_options *options) {
   hexcon_status status = check_embedding(context, s, options);
   if (!status)
     status = check_one_body(context, s);
-  if (!status)
-    status = check_even(context, s);
-  return status ? status : check_odd_cycles(context, s, options, fillable);
+  return status ? status : check_even(context, s);
 }
 
 static hexcon_status check_cavities(hexcon_context *context, const surface *s,
@@ -215,16 +218,14 @@ static hexcon_status check_cavities(hexcon_context *context, const surface *s,
 
 /* -------------------------------------------------------------------------------------- filling */
 
-/** What was made in time is proved, even after the deadline. */
+/** The time for it has been reserved. */
 static hexcon_status certify(hexcon_context *context, hexcon_mesh *mesh) {
-  double start = mesh_clock(), deadline = context->deadline;
-  context->deadline = 0;
+  double start = mesh_clock();
   hexcon_status status =
       certificate_make(context, mesh->points, mesh->point_count, mesh->hexes, mesh->hex_count,
                        mesh->quads, mesh->quad_count, &mesh->certificate);
   mesh_note_seconds(mesh, "certificate", start);
   mesh->checked = true;
-  context->deadline = deadline;
   return status;
 }
 
@@ -266,9 +267,12 @@ static hexcon_status measure(hexcon_context *context, hexcon_mesh *mesh) {
   mesh->quality = context_allocate(context, mesh->hex_count, sizeof *mesh->quality);
   if (!mesh->quality)
     return HEXCON_OUT_OF_MEMORY;
-  for (size_t h = 0; h < mesh->hex_count; h++)
+  hexcon_status status = HEXCON_OK;
+  for (size_t h = 0; !status && h < mesh->hex_count; h++) {
     mesh->quality[h] = scaled_jacobian(mesh->points, mesh->hexes + 8 * h);
-  return HEXCON_OK;
+    status = context_pass(context, h);
+  }
+  return status;
 }
 
 /** The mesh to be proved, to the user with every stage; what is inverted is not known before. */
@@ -277,6 +281,22 @@ static void tell(hexcon_context *context, const hexcon_mesh *mesh) {
   for (size_t h = 0; h < mesh->hex_count; h++)
     worst = fmin(worst, mesh->quality[h]);
   context_tell_mesh(context, mesh->hex_count, 0, worst);
+}
+
+/** Give the mesh the caller's ids, points and quads: before it is proved, so that the proof is of
+ * what the caller gets. */
+static hexcon_status name_as_given(hexcon_context *context, const numbering *names,
+                                   hexcon_mesh *mesh) {
+  hexcon_status status = HEXCON_OK;
+  memcpy(mesh->points, names->given_points, 3 * names->point_count * sizeof *mesh->points);
+  memcpy(mesh->quads, names->given_quads, 4 * names->quad_count * sizeof *mesh->quads);
+  numbering_name_points(names, mesh->quads + 4 * names->quad_count,
+                        4 * (mesh->quad_count - names->quad_count));
+  for (size_t h = 0; !status && h < mesh->hex_count; h++) {
+    numbering_name_points(names, mesh->hexes + 8 * h, 8);
+    status = context_pass(context, h);
+  }
+  return status;
 }
 
 /** By one method, certified or not. */
@@ -288,7 +308,11 @@ static hexcon_status fill_by_method(hexcon_context *context, const surface *s,
     return HEXCON_OUT_OF_MEMORY;
   memcpy(mesh->quads, s->quads, 4 * s->quad_count * sizeof *mesh->quads);
   mesh_note(mesh, "turned outward", s->turned);
+  context_reserve(context, 0);
   hexcon_status status = construct(context, s, options, mesh);
+  context_finish(context);
+  if (!status)
+    status = name_as_given(context, s->names, mesh);
   if (status || options->skip_certificate)
     return status;
   status = measure(context, mesh);
@@ -331,6 +355,66 @@ static hexcon_status explain_colours(hexcon_context *context, hexcon_fillable fi
           : "Whether the surface has a hex mesh at all could not be told");
 }
 
+/** Fill a surface that is numbered canonically. */
+static hexcon_status mesh_numbered(hexcon_context *context, const surface *s,
+                                   const hexcon_mesh_options *options, double start,
+                                   hexcon_mesh *made) {
+  hexcon_fillable fillable = HEXCON_FILLABLE_UNKNOWN;
+  hexcon_status status = check_odd_cycles(context, s, options, &fillable);
+  double checks = mesh_clock() - start;
+  if (!status)
+    status = fill_surface(context, s, options, made);
+  if (status == HEXCON_NOT_BIPARTITE)
+    status = explain_colours(context, fillable);
+  mesh_note(made, "seconds checks", checks);
+  return status;
+}
+
+/** With the caller's pairs in canonical quads. */
+static hexcon_status mesh_with_pairs(hexcon_context *context, const surface *s,
+                                     const hexcon_mesh_options *options, double start,
+                                     hexcon_mesh *made) {
+  const bool given = options->pairing == HEXCON_PAIRING_GIVEN;
+  const size_t count = given ? options->pair_count : 0;
+  int32_t *pairs = context_allocate(context, count, 2 * sizeof *pairs);
+  if (!pairs)
+    return HEXCON_OUT_OF_MEMORY;
+  hexcon_mesh_options numbered = *options;
+  numbered.pairs = pairs;
+  numbering_rank_quads(s->names, options->pairs, 2 * count, pairs);
+  hexcon_status status = mesh_numbered(context, s, &numbered, start, made);
+  context_free(context, pairs);
+  return status;
+}
+
+/** It takes so many times as long to measure, prove and hand over a hex as to read, check and
+ * number a quad: measured at 10^4 to 10^6 quads. */
+static const double rate_to_finish = 3.5;
+
+/** Number the surface canonically and fill it. @param given its quads and adjacency go */
+static hexcon_status mesh_built(hexcon_context *context, surface *given,
+                                const hexcon_mesh_options *options, double start,
+                                hexcon_mesh **mesh) {
+  numbering names;
+  surface s;
+  hexcon_mesh *made = NULL;
+  hexcon_status status = numbering_new(context, given, &names, &s);
+  context->rate =
+      rate_to_finish * (mesh_clock() - start - context->again) / (double)given->quad_count;
+  surface_free(context, given);
+  if (!status) {
+    made = context_allocate_zeroed(context, 1, sizeof *made);
+    status = made ? mesh_with_pairs(context, &s, options, start, made) : HEXCON_OUT_OF_MEMORY;
+    numbering_name_elements(context, &names, status);
+  }
+  numbering_free(context, &names, &s);
+  if (status)
+    hexcon_mesh_free(context, made);
+  else
+    *mesh = made;
+  return status;
+}
+
 hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points, size_t point_count,
                                   const int32_t *quads, size_t quad_count,
                                   const hexcon_mesh_options *options, hexcon_mesh **mesh) {
@@ -340,28 +424,15 @@ hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points,
   hexcon_status status = check_options(context, &chosen);
   if (status)
     return status;
-  surface s;
-  hexcon_fillable fillable = HEXCON_FILLABLE_UNKNOWN;
+  surface given;
   double start = mesh_clock();
-  context->deadline = chosen.budget > 0 ? start + chosen.budget : 0;
-  status = surface_build(context, points, point_count, quads, quad_count, &s);
+  context_limit(context, start, chosen.budget);
+  status = surface_build(context, points, point_count, quads, quad_count, &given);
   if (!status)
-    status = check_fillable(context, &s, &chosen, &fillable);
-  hexcon_mesh *made = status ? NULL : context_allocate_zeroed(context, 1, sizeof *made);
-  if (!status && !made)
-    status = HEXCON_OUT_OF_MEMORY;
-  if (!status) {
-    double checks = mesh_clock() - start;
-    status = fill_surface(context, &s, &chosen, made);
-    if (status == HEXCON_NOT_BIPARTITE)
-      status = explain_colours(context, fillable);
-    mesh_note(made, "seconds checks", checks);
-  }
-  surface_free(context, &s);
-  context->deadline = 0;
-  if (status)
-    hexcon_mesh_free(context, made);
-  else
-    *mesh = made;
+    status = check_body(context, &given, &chosen);
+  if (!status)
+    status = mesh_built(context, &given, &chosen, start, mesh);
+  surface_free(context, &given);
+  context_limit(context, start, 0);
   return status;
 }

@@ -8,6 +8,7 @@
 #include "quality_bound.h"
 #include "shape/improve.h"
 #include "shape/sweep_placement.h"
+#include "surface/numbering.h"
 #include "sweep_choice.h"
 #include "verify/scaled_jacobian.h"
 
@@ -47,33 +48,36 @@ static bool is_better(const filling *a, const filling *b) {
   return a->mean > b->mean + 1e-9;
 }
 
-static void measure(filling *f) {
+static hexcon_status measure(hexcon_context *context, filling *f) {
+  hexcon_status status = HEXCON_OK;
   f->inverted = 0;
   f->worst = 1;
   f->mean = 0;
-  for (size_t h = 0; h < f->hex_count; h++) {
+  for (size_t h = 0; !status && h < f->hex_count; h++) {
     f->quality[h] = scaled_jacobian(f->points, f->hexes + 8 * h);
     f->inverted += f->quality[h] <= 0;
     f->worst = fmin(f->worst, f->quality[h]);
     f->mean += f->quality[h] / (double)f->hex_count;
+    status = context_pass(context, h);
   }
+  return status;
 }
 
 /** Improve what falls short of what the surface allows; nothing at all in most sweeps. */
 static hexcon_status improve_filling(hexcon_context *context, const surface *s, filling *f) {
-  f->bound = quality_bound(s, f->points, f->hexes, f->hex_count);
+  hexcon_status status = quality_bound(context, s, f->points, f->hexes, f->hex_count, &f->bound);
   hexcon_optimize_options options = {.target = fmax(near_the_bound * f->bound, least_target)};
-  if (f->worst >= options.target || f->bound <= 0) /* below 0 no placement is valid */
-    return HEXCON_OK;
+  if (status || f->worst >= options.target || f->bound <= 0) /* below 0 no placement is valid */
+    return status;
   uint8_t *fixed = context_allocate_zeroed(context, f->point_count, 1);
   if (!fixed)
     return HEXCON_OUT_OF_MEMORY;
   memset(fixed, 1, s->point_count);
-  hexcon_status status = improve_mesh(context, f->points, f->point_count, f->hexes, f->hex_count,
-                                      fixed, &options, &f->rounds);
+  status = improve_mesh(context, f->points, f->point_count, f->hexes, f->hex_count, fixed, &options,
+                        &f->rounds);
   context_free(context, fixed);
-  measure(f);
-  return status;
+  hexcon_status measured = mesh_stop(context, status) ? measure(context, f) : HEXCON_OK;
+  return measured ? measured : status;
 }
 
 static hexcon_status place(hexcon_context *context, const surface *s, const sweep *w, filling *f) {
@@ -87,11 +91,13 @@ static hexcon_status place(hexcon_context *context, const surface *s, const swee
   if (!f->points || !f->hexes || !f->quality)
     return HEXCON_OUT_OF_MEMORY;
   memcpy(f->points, s->points, 3 * s->point_count * sizeof *f->points);
-  sweep_write_hexes(w, f->hexes);
+  context_reserve(context, f->hex_count);
+  hexcon_status status = sweep_write_hexes(context, w, f->hexes);
   sweep_levels levels = {w->rings,     w->cap_quad_count, w->cap_point_count,
                          w->cap_quads, w->on_rim,         w->ids};
   context_tell_mesh(context, f->hex_count, 0, NAN);
-  hexcon_status status = sweep_place(context, &levels, f->points);
+  if (!status)
+    status = sweep_place(context, &levels, f->points);
   context_tell_mesh(context, 0, 0, NAN);
   return status;
 }
@@ -111,7 +117,7 @@ static hexcon_status fill(hexcon_context *context, const surface *s, sweep_choic
     status = place(context, s, &w, f);
   sweep_free(context, &w);
   if (!status && f->points)
-    measure(f);
+    status = measure(context, f);
   return status;
 }
 
@@ -135,7 +141,7 @@ static hexcon_status fill_best(hexcon_context *context, const surface *s, sweep_
   return status;
 }
 
-static hexcon_status fail(hexcon_context *context, const sweep_choice *choice) {
+static hexcon_status fail(hexcon_context *context, const surface *s, const sweep_choice *choice) {
   for (int i = 0; i < 2; i++)
     if (choice->clash[i] >= 0)
       context_add_element(context, choice->clash[i]);
@@ -146,7 +152,8 @@ static hexcon_status fail(hexcon_context *context, const sweep_choice *choice) {
                         "%zu ways to sweep fits; in the most promising one %s (quad %d against "
                         "quad %d)",
                         choice->loops.count, choice->simple_loop_count, choice->strip_tried_count,
-                        why, choice->clash[0], choice->clash[1]);
+                        why, numbering_quad_name(s, choice->clash[0]),
+                        numbering_quad_name(s, choice->clash[1]));
   return context_fail(context, HEXCON_NOT_SWEPT,
                       "not swept: of %zu dual loops %zu do not cross themselves, and none of %zu "
                       "ways to sweep fits: %s",
@@ -180,13 +187,14 @@ hexcon_status mesh_swept(hexcon_context *context, const surface *s,
   start = mesh_clock();
   if (!status)
     status = fill_best(context, s, &choice, &best, &tried);
+  status = mesh_settle(context, status, best.points != NULL, mesh);
   if (!status && best.points) {
     hand_over(&best, mesh);
     mesh_note(mesh, "sweeps tried", (double)tried);
     mesh_note_seconds(mesh, "construction and placement", start);
   } else {
     filling_free(context, &best);
-    status = status ? status : fail(context, &choice);
+    status = status ? status : fail(context, s, &choice);
   }
   sweep_choice_free(context, &choice);
   return status;

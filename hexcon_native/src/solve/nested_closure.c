@@ -67,7 +67,7 @@ static hexcon_status add_templates(hexcon_context *context, const split_closure 
     status = HEXCON_OUT_OF_MEMORY;
   for (size_t q = 0; !status && q < quads; q++) {
     add_template(c, places, q, ids, mesh);
-    if (q % 65536 == 0)
+    if (q % CONTEXT_PATIENCE == 0)
       status = context_progress(context, STAGE_CLOSURE, (double)q / (double)quads);
   }
   context_free(context, places);
@@ -131,10 +131,13 @@ static hexcon_status list_triangles(hexcon_context *context, const split_closure
   int32_t *ids = context_allocate(context, c->shape->point_count, sizeof *ids);
   if (!ids)
     return HEXCON_OUT_OF_MEMORY;
-  for (size_t q = 0; q < c->front->s->quad_count; q++)
+  hexcon_status status = HEXCON_OK;
+  for (size_t q = 0; !status && q < c->front->s->quad_count; q++) {
     write_triangles(c, q, ids, out);
+    status = context_pass(context, q);
+  }
   context_free(context, ids);
-  return HEXCON_OK;
+  return status;
 }
 
 /** The mesh's id of a tetrahedron's corner: the Geodes' inner corners come first, new ones last. */
@@ -167,7 +170,7 @@ static hexcon_status append_diced(hexcon_context *context, const split_closure *
     memcpy(mesh->grown.hexes + 8 * mesh->grown.hex_count, diced.hexes,
            8 * diced.hex_count * sizeof *diced.hexes);
     mesh->grown.hex_count += diced.hex_count;
-    place_plain_means(diced.means, diced.point_count, first, mesh->points);
+    status = place_plain_means(context, diced.means, diced.point_count, first, mesh->points);
   }
   dice_free(context, &diced);
   return status;

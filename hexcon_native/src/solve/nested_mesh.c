@@ -91,7 +91,7 @@ static hexcon_status grow_anchors(hexcon_context *context, nested_mesh *mesh,
     return HEXCON_OK;
   hexcon_status status = grow(context, mesh->grown.point_count, &mesh->anchor_places);
   if (!status)
-    place_plain_means(made->means, made->count, made->first, mesh->anchor_places);
+    status = place_plain_means(context, made->means, made->count, made->first, mesh->anchor_places);
   return status;
 }
 
@@ -104,10 +104,13 @@ static hexcon_status place(hexcon_context *context, nested_mesh *mesh, const mea
   if (status)
     return status;
   anchors to = nested_mesh_anchors(mesh);
-  place_drawn_means(made->means, made->near_count, made->first, &to, near_share, mesh->points);
-  place_drawn_means(made->means + 4 * made->near_count, made->count - made->near_count,
-                    made->first + made->near_count, &to, far_share, mesh->points);
-  return HEXCON_OK;
+  status = place_drawn_means(context, made->means, made->near_count, made->first, &to, near_share,
+                             mesh->points);
+  if (!status)
+    status = place_drawn_means(context, made->means + 4 * made->near_count,
+                               made->count - made->near_count, made->first + made->near_count, &to,
+                               far_share, mesh->points);
+  return status;
 }
 
 hexcon_status nested_mesh_pair(hexcon_context *context, const surface *s, const int32_t *partner,

@@ -23,22 +23,26 @@ static double surface_bound(const surface *s) {
 }
 
 /** Scaled Jacobians of the hex corners whose four points are all on the surface. */
-static double fixed_bound(const double *points, const int32_t *hexes, size_t hex_count,
-                          size_t surface_points) {
-  double bound = 1;
-  for (size_t h = 0; h < hex_count; h++)
+static hexcon_status fixed_bound(hexcon_context *context, const double *points,
+                                 const int32_t *hexes, size_t hex_count, size_t surface_points,
+                                 double *bound) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t h = 0; !status && h < hex_count; h++) {
     for (int corner = 0; corner < 8; corner++) {
       const int32_t *hex = hexes + 8 * h;
       bool fixed = (size_t)hex[corner] < surface_points;
       for (int i = 0; i < 3; i++)
         fixed &= (size_t)hex[hex_corner_neighbours[corner][i]] < surface_points;
       if (fixed)
-        bound = fmin(bound, corner_scaled_jacobian(points, hex, corner));
+        *bound = fmin(*bound, corner_scaled_jacobian(points, hex, corner));
     }
-  return bound;
+    status = context_pass(context, h);
+  }
+  return status;
 }
 
-double quality_bound(const surface *s, const double *points, const int32_t *hexes,
-                     size_t hex_count) {
-  return fmin(surface_bound(s), fixed_bound(points, hexes, hex_count, s->point_count));
+hexcon_status quality_bound(hexcon_context *context, const surface *s, const double *points,
+                            const int32_t *hexes, size_t hex_count, double *bound) {
+  *bound = surface_bound(s);
+  return fixed_bound(context, points, hexes, hex_count, s->point_count, bound);
 }

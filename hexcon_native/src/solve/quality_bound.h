@@ -9,8 +9,9 @@
  * No placement of the inner points has a higher worst scaled Jacobian: from the surface's own
  * corners, and the hex corners that have all four points on it. Linear.
  * @param points  of the mesh; those of the surface come first
+ * @return CANCELLED, OUT_OF_TIME
  */
-double quality_bound(const surface *s, const double *points, const int32_t *hexes,
-                     size_t hex_count);
+hexcon_status quality_bound(hexcon_context *context, const surface *s, const double *points,
+                            const int32_t *hexes, size_t hex_count, double *bound);
 
 #endif

@@ -23,13 +23,16 @@ static double *append_midpoints(hexcon_context *context, const double *points, s
 }
 
 /** Corners, then mid-edge points. */
-static void write_hexes(const int32_t *corners, size_t hex_count, const edge_table *edges,
-                        size_t point_count, int32_t *hexes) {
-  for (size_t h = 0; h < hex_count; h++) {
+static hexcon_status write_hexes(hexcon_context *context, const int32_t *corners, size_t hex_count,
+                                 const edge_table *edges, size_t point_count, int32_t *hexes) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t h = 0; !status && h < hex_count; h++) {
     memcpy(hexes + 20 * h, corners + 8 * h, 8 * sizeof *hexes);
     for (size_t e = 0; e < 12; e++)
       hexes[20 * h + 8 + e] = (int32_t)point_count + edges->of_hex[12 * h + e];
+    status = context_pass(context, h);
   }
+  return status;
 }
 
 hexcon_status raise_order(hexcon_context *context, const double *points, size_t point_count,
@@ -45,7 +48,7 @@ hexcon_status raise_order(hexcon_context *context, const double *points, size_t 
     out->points = append_midpoints(context, points, point_count, &edges);
     out->hexes = context_allocate(context, 20 * hex_count, sizeof *out->hexes);
     if (out->points && out->hexes)
-      write_hexes(hexes, hex_count, &edges, point_count, out->hexes);
+      status = write_hexes(context, hexes, hex_count, &edges, point_count, out->hexes);
     else
       status = HEXCON_OUT_OF_MEMORY;
   }

@@ -2,9 +2,9 @@
 #include "sheet_candidates.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "base/sorting.h"
 #include "region_score.h"
 
 /** Pairs of loops looked at on one front. */
@@ -91,12 +91,24 @@ static int by_rim_score(const void *a, const void *b) {
   return (left->entry > right->entry) - (left->entry < right->entry);
 }
 
+hexcon_status candidates_count_work(hexcon_context *context, candidate_stack *stack,
+                                    const front_region *region) {
+  stack->work += 1 + region->rung_count + region->quad_count;
+  if (stack->work < CONTEXT_PATIENCE)
+    return HEXCON_OK;
+  stack->work = 0;
+  return context_ask(context);
+}
+
 /** Both sides of every loop that does not cross itself, with what their rims cost as far as that
  * tells which may be best; those first. */
-static void list_sides(sheet_front *front, front_region *region, candidate_stack *stack) {
+static hexcon_status list_sides(hexcon_context *context, sheet_front *front, front_region *region,
+                                candidate_stack *stack) {
+  hexcon_status status = HEXCON_OK;
   double best = INFINITY;
   stack->side_count = 0;
-  for (size_t i = 0; i < front->loops.count; i++) {
+  for (size_t i = 0; !status && i < front->loops.count; i++) {
+    status = candidates_count_work(context, stack, region);
     if (front->gone[i] || front->loops.self_crossings[i])
       continue;
     int32_t entry = front_loop_start(front, i);
@@ -108,14 +120,18 @@ static void list_sides(sheet_front *front, front_region *region, candidate_stack
       best = fmin(best, side->rim_score);
     }
   }
-  qsort(stack->sides, stack->side_count, sizeof *stack->sides, by_rim_score);
+  return status ? status
+                : context_sort(context, stack->sides, stack->side_count, sizeof *stack->sides,
+                               by_rim_score);
 }
 
-/** Push the sides of loops that may go. @return the best score */
-static double push_sides(sheet_front *front, front_region *region, const sheet_taste *taste,
-                         candidate_stack *stack) {
+/** Push the sides of loops that may go. @param least  receives the best score */
+static hexcon_status push_sides(hexcon_context *context, sheet_front *front, front_region *region,
+                                const sheet_taste *taste, candidate_stack *stack, double *least) {
   double best = INFINITY;
-  for (size_t i = 0; i < stack->side_count; i++) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t i = 0; !status && i < stack->side_count; i++) {
+    status = candidates_count_work(context, stack, region);
     sheet_candidate candidate = weigh_side(front, region, taste, &stack->sides[i], best);
     candidate.score *= 1 + taste->noise * next_random(&stack->random);
     if (candidate.score < best && !front_can_lay(front, region))
@@ -123,7 +139,8 @@ static double push_sides(sheet_front *front, front_region *region, const sheet_t
     stack->items[stack->count++] = candidate;
     best = fmin(best, candidate.score);
   }
-  return best;
+  *least = best;
+  return status;
 }
 
 /** A pair of sides, with a region between them that can be laid; infinitely bad if there is none.
@@ -138,15 +155,17 @@ static sheet_candidate weigh_pair(sheet_front *front, front_region *region,
 }
 
 /** Push pairs of loops that are better than `best`, each better than those before. */
-static void push_pairs(sheet_front *front, front_region *region, const sheet_taste *taste,
-                       double best, candidate_stack *stack) {
+static hexcon_status push_pairs(hexcon_context *context, sheet_front *front, front_region *region,
+                                const sheet_taste *taste, double best, candidate_stack *stack) {
   size_t tried = 0;
-  qsort(stack->sides, stack->side_count, sizeof *stack->sides, by_rim_score);
-  for (size_t j = 1; j < stack->side_count && tried < MOST_PAIRS; j++) {
+  hexcon_status status =
+      context_sort(context, stack->sides, stack->side_count, sizeof *stack->sides, by_rim_score);
+  for (size_t j = 1; !status && j < stack->side_count && tried < MOST_PAIRS; j++) {
     const loop_side *b = &stack->sides[j];
     if (stack->sides[0].rim_score + b->rim_score >= best)
-      return;
-    for (size_t i = 0; i < j && tried < MOST_PAIRS; i++, tried++) {
+      break;
+    for (size_t i = 0; !status && i < j && tried < MOST_PAIRS; i++, tried++) {
+      status = candidates_count_work(context, stack, region);
       const loop_side *a = &stack->sides[i];
       if (a->rim_score + b->rim_score >= best)
         break;
@@ -158,6 +177,7 @@ static void push_pairs(sheet_front *front, front_region *region, const sheet_tas
       }
     }
   }
+  return status;
 }
 
 static int by_score(const void *a, const void *b) {
@@ -173,9 +193,13 @@ hexcon_status candidates_push(hexcon_context *context, sheet_front *front, front
   hexcon_status status = reserve(context, stack, 2 * front->loops.count + MOST_PAIRS);
   if (status)
     return status;
-  list_sides(front, region, stack);
-  double best = push_sides(front, region, taste, stack);
-  push_pairs(front, region, taste, best, stack);
-  qsort(stack->items + first, stack->count - first, sizeof *stack->items, by_score);
-  return HEXCON_OK;
+  double best = INFINITY;
+  status = list_sides(context, front, region, stack);
+  if (!status)
+    status = push_sides(context, front, region, taste, stack, &best);
+  if (!status)
+    status = push_pairs(context, front, region, taste, best, stack);
+  return status ? status
+                : context_sort(context, stack->items + first, stack->count - first,
+                               sizeof *stack->items, by_score);
 }

@@ -33,11 +33,16 @@ typedef struct candidate_stack {
   size_t side_count;
   loop_side *sides; /**< [2 loops] of the present front */
   uint64_t random;
+  size_t work; /**< rungs and quads looked at since it was asked whether to go on */
 } candidate_stack;
 
 hexcon_status candidates_new(hexcon_context *context, const sheet_front *front, uint64_t seed,
                              candidate_stack *out);
 void candidates_free(hexcon_context *context, candidate_stack *stack);
+
+/** A region has been looked at: ask whether to go on once those were large, or many. */
+hexcon_status candidates_count_work(hexcon_context *context, candidate_stack *stack,
+                                    const front_region *region);
 
 /**
  * Push the layers that end at one loop, and those that end at two and might be better than all of

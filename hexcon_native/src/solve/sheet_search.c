@@ -110,13 +110,15 @@ static bool has_room(sheet_search *search, const sheet_taste *taste) {
 
 /** The next candidate of the last level that leads to a new front, whose region is found then; NULL
  * if there is none. */
-static const sheet_candidate *next_candidate(sheet_search *search, const sheet_taste *taste) {
+static const sheet_candidate *next_candidate(hexcon_context *context, sheet_search *search,
+                                             const sheet_taste *taste, hexcon_status *status) {
   sheet_level *level = &search->levels[search->level_count - 1];
-  while (level->next < search->candidates.count) {
+  while (!*status && level->next < search->candidates.count) {
     const sheet_candidate *candidate = &search->candidates.items[level->next++];
     if (!visited_has(&search->visited, search->key ^ layer_key(search, candidate)) &&
         candidate_find(&search->front, candidate, &search->region) && has_room(search, taste))
       return candidate;
+    *status = candidates_count_work(context, &search->candidates, &search->region);
   }
   return NULL;
 }
@@ -135,10 +137,13 @@ static void go_back(sheet_search *search) {
 static hexcon_status advance(hexcon_context *context, sheet_search *search,
                              const sheet_taste *taste, bool *found) {
   const sheet_candidate *candidate = NULL;
-  while (!(candidate = next_candidate(search, taste)) && search->level_count > 1)
+  hexcon_status status = HEXCON_OK;
+  while (!(candidate = next_candidate(context, search, taste, &status)) && !status &&
+         search->level_count > 1)
     go_back(search);
   *found = candidate != NULL;
-  hexcon_status status = candidate ? lay_candidate(context, search, candidate) : HEXCON_OK;
+  if (candidate)
+    status = lay_candidate(context, search, candidate);
   return status ? status : visited_add(context, &search->visited, search->key);
 }
 

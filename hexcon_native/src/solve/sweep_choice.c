@@ -30,7 +30,8 @@ typedef struct bend_table {
   double *sums;  /* sum of bends of the strip's cycles before c */
 } bend_table;
 
-static double mean_bend(const surface *s, int32_t entry, int turn) {
+/** @param measured  goes up by the edges of the ring */
+static double mean_bend(const surface *s, int32_t entry, int turn, size_t *measured) {
   double sum = 0;
   size_t count = 0;
   int32_t at = entry;
@@ -39,6 +40,7 @@ static double mean_bend(const surface *s, int32_t entry, int turn) {
     count++;
     at = ring_next(s, at);
   } while (at != entry);
+  *measured += count;
   return sum / (double)count;
 }
 
@@ -53,17 +55,24 @@ static hexcon_status measure_bends(hexcon_context *context, const surface *s,
   out->sums = context_allocate_zeroed(context, cycles, sizeof *out->sums);
   if (!out->bends || !out->sums)
     return HEXCON_OUT_OF_MEMORY;
-  for (size_t i = 0; i < strips->count; i++) {
+  hexcon_status status = HEXCON_OK;
+  size_t measured = 0;
+  for (size_t i = 0; !status && i < strips->count; i++) {
     const strip *in = &strips->strips[i];
     size_t at = bend_start(strips, (int32_t)i);
-    for (size_t ring = 0; ring < in->ring_count; ring++)
-      out->bends[at + ring] = mean_bend(s, strips->entries[in->first + ring], -1);
+    for (size_t ring = 0; !status && ring < in->ring_count; ring++) {
+      out->bends[at + ring] = mean_bend(s, strips->entries[in->first + ring], -1, &measured);
+      if (measured >= CONTEXT_PATIENCE) {
+        status = context_ask(context);
+        measured = 0;
+      }
+    }
     out->bends[at + in->ring_count] =
-        mean_bend(s, strips->entries[in->first + in->ring_count - 1], 1);
+        mean_bend(s, strips->entries[in->first + in->ring_count - 1], 1, &measured);
     for (size_t c = 1; c <= in->ring_count; c++)
       out->sums[at + c] = out->sums[at + c - 1] + out->bends[at + c - 1];
   }
-  return HEXCON_OK;
+  return status;
 }
 
 /** Sum of the bends of cycles first .. last - 1 of a strip, going round if it is cyclic. */
@@ -266,9 +275,13 @@ hexcon_status sweep_choose(hexcon_context *context, const surface *s, sweep_choi
   memset(out, 0, sizeof *out);
   out->clash[0] = out->clash[1] = -1;
   bend_table table = {NULL, NULL};
-  hexcon_status status = surface_find_loops(context, s, &out->loops);
+  hexcon_status status = context_progress(context, STAGE_SWEEP_RECOGNITION, 0);
+  if (!status)
+    status = surface_find_loops(context, s, &out->loops);
   if (!status)
     status = strips_build(context, s, &out->loops, &out->strips);
+  if (!status)
+    status = context_after(context, s->quad_count);
   if (!status)
     status = reflection_new(context, s, &out->strips, &out->reflected);
   if (!status)

@@ -26,16 +26,18 @@ hexcon_status bit_matrix_is_projection(hexcon_context *context, const bit_matrix
   uint64_t *row = context_allocate(context, m->words, sizeof *row);
   if (!row)
     return HEXCON_OUT_OF_MEMORY;
+  hexcon_status status = HEXCON_OK;
   *projection = true;
-  for (size_t i = 0; i < m->count && *projection; i++) {
+  for (size_t i = 0; !status && i < m->count && *projection; i++) {
     memset(row, 0, m->words * sizeof *row);
     for (size_t k = 0; k < m->count; k++)
       if (bit_matrix_get(m, i, k))
         add_row(row, m->rows + k * m->words, m->words);
     *projection = memcmp(row, m->rows + i * m->words, m->words * sizeof *row) == 0;
+    status = context_after(context, m->count * m->words);
   }
   context_free(context, row);
-  return HEXCON_OK;
+  return status;
 }
 
 static void swap_rows(uint64_t *a, uint64_t *b, size_t words) {
@@ -53,7 +55,7 @@ hexcon_status bit_matrix_rank(hexcon_context *context, const bit_matrix *matrix,
     return status;
   memcpy(m.rows, matrix->rows, m.count * m.words * sizeof *m.rows);
   *rank = 0;
-  for (size_t column = 0; column < m.count; column++) {
+  for (size_t column = 0; !status && column < m.count; column++) {
     size_t pivot = *rank;
     while (pivot < m.count && !bit_matrix_get(&m, pivot, column))
       pivot++;
@@ -65,7 +67,8 @@ hexcon_status bit_matrix_rank(hexcon_context *context, const bit_matrix *matrix,
       if (bit_matrix_get(&m, row, column))
         add_row(m.rows + row * m.words, head, m.words);
     ++*rank;
+    status = context_after(context, m.count * m.words);
   }
   bit_matrix_free(context, &m);
-  return HEXCON_OK;
+  return status;
 }

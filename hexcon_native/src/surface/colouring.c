@@ -57,6 +57,9 @@ static hexcon_status colour_component(hexcon_context *context, search *f, int32_
   f->queue[tail++] = root;
   while (head < tail) {
     int32_t v = f->queue[head++], start = f->corner_of_point[v], h = start;
+    hexcon_status status = context_pass(context, head);
+    if (status)
+      return status;
     do {
       int32_t other = half_edge_end(f->s, h);
       uint8_t colour = f->colours[v] ^ (!f->crossed || f->crossed[h]);

@@ -5,6 +5,7 @@
 
 #include "base/vector.h"
 #include "geometry.h"
+#include "numbering.h"
 
 static const double pi = 3.14159265358979323846;
 static const double degrees = 180 / 3.14159265358979323846;
@@ -52,12 +53,12 @@ hexcon_status surface_check_fillable(hexcon_context *context, const surface *s, 
   for (int32_t h = 0; h < (int32_t)(4 * s->quad_count); h++) {
     double angle = surface_corner_angle(s, h);
     bool unfillable = (angle >= pi && !star_shaped) || fabs(sin(angle)) <= smallest_sine;
+    const int32_t quad = numbering_quad_name(s, half_edge_quad(h));
     bool doubled = begins_double_edge(s, h);
     if (unfillable)
-      add_words(&corners, ", ", half_edge_quad(h), angle * degrees);
+      add_words(&corners, ", ", quad, angle * degrees);
     if (doubled)
-      add_words(&shared, ", ", half_edge_quad(h),
-                surface_corner_angle(s, half_edge_turn(h, 1)) * degrees);
+      add_words(&shared, ", ", quad, surface_corner_angle(s, half_edge_turn(h, 1)) * degrees);
     if ((unfillable || doubled) && half_edge_quad(h) != listed) {
       listed = half_edge_quad(h);
       context_add_element(context, listed);

@@ -32,15 +32,20 @@ static int32_t edge_high(const int32_t *quads, int32_t h) {
 }
 
 /** One stable counting-sort pass of half-edge ids by one end of their edges. */
-static void sort_pass(const int32_t *quads, size_t count, int32_t (*end)(const int32_t *, int32_t),
-                      const int32_t *in, int32_t *out, size_t *starts, size_t point_count) {
+static hexcon_status sort_pass(hexcon_context *context, const int32_t *quads, size_t count,
+                               int32_t (*end)(const int32_t *, int32_t), const int32_t *in,
+                               int32_t *out, size_t *starts, size_t point_count) {
+  hexcon_status status = HEXCON_OK;
   memset(starts, 0, (point_count + 1) * sizeof *starts);
   for (size_t i = 0; i < count; i++)
     starts[(size_t)end(quads, in[i]) + 1]++;
   for (size_t v = 0; v < point_count; v++)
     starts[v + 1] += starts[v];
-  for (size_t i = 0; i < count; i++)
+  for (size_t i = 0; !status && i < count; i++) {
     out[starts[end(quads, in[i])]++] = in[i];
+    status = context_pass(context, i);
+  }
+  return status;
 }
 
 /** Half-edges ordered by (higher, lower) end, so that those of one edge are neighbours. Linear. */
@@ -52,9 +57,11 @@ static hexcon_status sort_half_edges(hexcon_context *context, const surface *s, 
   if (!status) {
     for (size_t h = 0; h < count; h++)
       sorted[h] = (int32_t)h;
-    sort_pass(s->quads, count, edge_low, sorted, scratch, starts, s->point_count);
-    sort_pass(s->quads, count, edge_high, scratch, sorted, starts, s->point_count);
+    status = sort_pass(context, s->quads, count, edge_low, sorted, scratch, starts, s->point_count);
   }
+  if (!status)
+    status =
+        sort_pass(context, s->quads, count, edge_high, scratch, sorted, starts, s->point_count);
   context_free(context, starts);
   context_free(context, scratch);
   return status;
@@ -70,6 +77,9 @@ static hexcon_status match_twins(hexcon_context *context, surface *s, const int3
   for (size_t pass = 0; pass < 2 && open_edges == 0 && crowded_edges == 0; pass++)
     for (first = 0; first < count;) {
       size_t last = first + 1;
+      hexcon_status status = context_pass(context, first / 2);
+      if (status)
+        return status;
       while (last < count && same_edge(s->quads, sorted[first], sorted[last]))
         last++;
       crowded_edges += pass == 0 && last - first > 2;
@@ -115,6 +125,9 @@ static hexcon_status orient_component(hexcon_context *context, surface *s, orien
   *flip_count = 0;
   while (head < tail) {
     int32_t quad = o->queue[head++];
+    hexcon_status status = context_pass(context, head);
+    if (status)
+      return status;
     for (int side = 0; side < 4; side++) {
       int32_t h = 4 * quad + side, other = half_edge_quad(s->twins[h]);
       uint8_t flip = o->flipped[quad] ^ (uint8_t)runs_against(s, h);
@@ -180,7 +193,9 @@ static hexcon_status check_vertices(hexcon_context *context, const surface *s) {
   uint8_t *walked = context_allocate_zeroed(context, 4 * s->quad_count, 1);
   uint8_t *has_fan = context_allocate_zeroed(context, s->point_count, 1);
   size_t bad = 0;
-  for (size_t h = 0; walked && has_fan && h < 4 * s->quad_count; h++) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t h = 0; !status && walked && has_fan && h < 4 * s->quad_count; h++) {
+    status = context_pass(context, h);
     if (walked[h])
       continue;
     int32_t v = s->quads[h], g = (int32_t)h;
@@ -199,6 +214,8 @@ static hexcon_status check_vertices(hexcon_context *context, const surface *s) {
   context_free(context, has_fan);
   if (!complete)
     return HEXCON_OUT_OF_MEMORY;
+  if (status)
+    return status;
   if (bad)
     return context_fail(context, HEXCON_NON_MANIFOLD_VERTEX,
                         "%zu points join parts of the surface that share no edge there (points "
@@ -214,14 +231,22 @@ static hexcon_status connect(hexcon_context *context, surface *s) {
     status = match_twins(context, s, sorted);
   context_free(context, sorted);
   if (!status)
+    status = context_after(context, s->quad_count);
+  if (!status)
     status = check_orientation(context, s);
-  return status ? status : check_vertices(context, s);
+  if (!status)
+    status = context_after(context, s->quad_count);
+  if (!status)
+    status = check_vertices(context, s);
+  return status ? status : context_after(context, s->quad_count);
 }
 
 hexcon_status surface_build(hexcon_context *context, const double *points, size_t point_count,
                             const int32_t *quads, size_t quad_count, surface *out) {
   memset(out, 0, sizeof *out);
   hexcon_status status = check_arrays(context, points, point_count, quads, quad_count);
+  if (!status)
+    status = context_after(context, quad_count);
   if (status)
     return status;
   out->points = points;

@@ -19,6 +19,7 @@ typedef struct surface {
   size_t cavity_count; /**< components that bound cavities; 0 where points are not known */
   uint8_t *is_cavity;  /**< [component_count]; NULL where points are not known */
   bool turned;         /**< quads faced into the solid and were turned, of all shells or of some */
+  const struct numbering *names; /**< the caller's ids, where this numbering is not the caller's */
 } surface;
 
 static inline int32_t half_edge_quad(int32_t h) {

@@ -70,12 +70,13 @@ static bool reach(trees *t, forest *f, int32_t from, int32_t to, int32_t half_ed
   return true;
 }
 
-static void grow_tree(trees *t, int32_t root) {
+static hexcon_status grow_tree(hexcon_context *context, trees *t, int32_t root) {
   size_t head = 0, tail = 0;
+  hexcon_status status = HEXCON_OK;
   t->points.depth[root] = 0;
   t->points.reached_by[root] = -1;
   t->queue[tail++] = root;
-  while (head < tail) {
+  while (!status && head < tail) {
     int32_t v = t->queue[head++], start = t->half_edge_of_point[v], h = start;
     do {
       int32_t other = half_edge_end(t->s, h);
@@ -83,32 +84,39 @@ static void grow_tree(trees *t, int32_t root) {
         t->queue[tail++] = other;
       h = t->s->twins[half_edge_turn(h, -1)];
     } while (h != start);
+    status = context_pass(context, head);
   }
+  return status;
 }
 
 /** Over the edges that no tree of points has taken. */
-static void grow_cotree(trees *t, int32_t root) {
+static hexcon_status grow_cotree(hexcon_context *context, trees *t, int32_t root) {
   size_t head = 0, tail = 0;
+  hexcon_status status = HEXCON_OK;
   t->quads.depth[root] = 0;
   t->quads.reached_by[root] = -1;
   t->queue[tail++] = root;
-  while (head < tail) {
+  while (!status && head < tail) {
     int32_t quad = t->queue[head++];
     for (int32_t h = 4 * quad; h < 4 * quad + 4; h++) {
       int32_t other = half_edge_quad(t->s->twins[h]);
       if (!t->taken[h] && reach(t, &t->quads, quad, other, h))
         t->queue[tail++] = other;
     }
+    status = context_pass(context, head);
   }
+  return status;
 }
 
-static void grow(trees *t) {
-  for (size_t v = 0; v < t->s->point_count; v++)
+static hexcon_status grow(hexcon_context *context, trees *t) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t v = 0; !status && v < t->s->point_count; v++)
     if (t->points.depth[v] < 0 && t->half_edge_of_point[v] >= 0)
-      grow_tree(t, (int32_t)v);
-  for (size_t q = 0; q < t->s->quad_count; q++)
+      status = grow_tree(context, t, (int32_t)v);
+  for (size_t q = 0; !status && q < t->s->quad_count; q++)
     if (t->quads.depth[q] < 0)
-      grow_cotree(t, (int32_t)q);
+      status = grow_cotree(context, t, (int32_t)q);
+  return status;
 }
 
 /* -------------------------------------------------------------------------------------- cycles */
@@ -160,14 +168,20 @@ static hexcon_status write_basis(hexcon_context *context, const trees *t, bool o
   if (!*first)
     return HEXCON_OUT_OF_MEMORY;
   size_t total = 0;
-  for (size_t i = 0; i < count && *complete; i++) {
+  size_t asked = 0;
+  hexcon_status status = HEXCON_OK;
+  for (size_t i = 0; !status && i < count && *complete; i++) {
     (*first)[i] = total;
     total += close_cycle(t, of_quads, left[i], NULL);
     *complete = total <= HANDLE_CYCLES_MOST;
+    if (total - asked >= CONTEXT_PATIENCE) {
+      status = context_ask(context);
+      asked = total;
+    }
   }
   (*first)[count] = total;
-  if (!*complete)
-    return HEXCON_OK;
+  if (status || !*complete)
+    return status;
   *cycles = context_allocate(context, total, sizeof **cycles);
   if (!*cycles)
     return HEXCON_OUT_OF_MEMORY;
@@ -203,10 +217,10 @@ hexcon_status handle_cycles_find(hexcon_context *context, const surface *s, hand
   *out = (handle_cycles){0};
   *complete = true;
   hexcon_status status = trees_new(context, s, &t);
-  if (!status) {
-    grow(&t);
+  if (!status)
+    status = grow(context, &t);
+  if (!status)
     status = write_cycles(context, &t, out, complete);
-  }
   trees_free(context, &t);
   return status;
 }

@@ -8,6 +8,9 @@
 /** Edges whose box is compared as one. */
 enum { PIECE = 32 };
 
+/** Boxes and edges compared between two questions whether to go on: some milliseconds. */
+enum { WORK_PATIENCE = 1 << 20 };
+
 /** Rounding of coordinates, of the largest one. */
 static const double rounding = 1e-14;
 
@@ -43,6 +46,7 @@ typedef struct sight {
   view view;
   polygons along, across;
   bool blurred; /* two curves meet, as far as rounding can tell */
+  size_t work;  /* boxes and edges compared since it was asked whether to go on */
 } sight;
 
 static void polygons_free(hexcon_context *context, polygons *p) {
@@ -254,6 +258,7 @@ static bool cross_pieces(sight *w, size_t i, size_t piece, size_t j, size_t othe
   const polygons *p = &w->along, *r = &w->across;
   const size_t start = p->first[i] + PIECE * piece, begin = r->first[j] + PIECE * other;
   bool odd = false;
+  w->work += (size_t)PIECE * PIECE;
   for (size_t k = start; k < start + PIECE && k < p->first[i + 1]; k++)
     for (size_t l = begin; l < begin + PIECE && l < r->first[j + 1]; l++) {
       bool meet = i == j && k == p->first[i] && (l == r->first[j] || l + 1 == r->first[j + 1]);
@@ -264,14 +269,28 @@ static bool cross_pieces(sight *w, size_t i, size_t piece, size_t j, size_t othe
   return odd;
 }
 
-static bool link(sight *w, size_t i, size_t j) {
+/** Ask whether to go on once enough has been compared. */
+static hexcon_status count_work(hexcon_context *context, sight *w, size_t work) {
+  w->work += work;
+  if (w->work < WORK_PATIENCE)
+    return HEXCON_OK;
+  w->work = 0;
+  return context_ask(context);
+}
+
+/** @param odd  receives the linking number of cycle i and ring j, modulo 2 */
+static hexcon_status link(hexcon_context *context, sight *w, size_t i, size_t j, bool *odd) {
   const polygons *p = &w->along, *r = &w->across;
-  bool odd = i == j && passes_over_edge(w, w->cycles->along[w->cycles->first_along[i]]);
-  for (size_t k = p->first_box[i]; k < p->first_box[i + 1]; k++)
+  const size_t boxes = r->first_box[j + 1] - r->first_box[j];
+  hexcon_status status = HEXCON_OK;
+  *odd = i == j && passes_over_edge(w, w->cycles->along[w->cycles->first_along[i]]);
+  for (size_t k = p->first_box[i]; !status && k < p->first_box[i + 1]; k++) {
     for (size_t l = r->first_box[j]; l < r->first_box[j + 1]; l++)
       if (overlap(&p->boxes[k], &r->boxes[l]))
-        odd ^= cross_pieces(w, i, k - p->first_box[i], j, l - r->first_box[j]);
-  return odd;
+        *odd ^= cross_pieces(w, i, k - p->first_box[i], j, l - r->first_box[j]);
+    status = count_work(context, w, boxes);
+  }
+  return status;
 }
 
 /* -------------------------------------------------------------------------------------- matrix */
@@ -281,8 +300,11 @@ static hexcon_status fill_matrix(hexcon_context *context, sight *w, bit_matrix *
   memset(out->rows, 0, out->count * out->words * sizeof *out->rows);
   for (size_t i = 0; i < out->count && !w->blurred && !status; i++) {
     status = context_progress(context, STAGE_LINKING_NUMBERS, (double)i / (double)out->count);
-    for (size_t j = 0; j < out->count && !w->blurred; j++)
-      bit_matrix_add(out, i, j, link(w, i, j));
+    for (size_t j = 0; !status && j < out->count && !w->blurred; j++) {
+      bool odd;
+      status = link(context, w, i, j, &odd);
+      bit_matrix_add(out, i, j, odd);
+    }
   }
   return status;
 }
@@ -319,7 +341,9 @@ hexcon_status linking_numbers_find(hexcon_context *context, const surface *s,
     status = bit_matrix_new(context, cycles->count, out);
   for (size_t i = 0; !status && out->rows && i < DIRECTIONS && !*known; i++) {
     look_along(&w, directions[i]);
-    status = look(context, &w, out, known);
+    status = context_after(context, s->quad_count);
+    if (!status)
+      status = look(context, &w, out, known);
   }
   sight_free(context, &w);
   return status;

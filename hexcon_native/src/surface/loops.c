@@ -47,5 +47,5 @@ hexcon_status surface_find_loops(hexcon_context *context, const surface *s, surf
     out->offsets[++out->count] = length;
   }
   count_self_crossings(s, out);
-  return HEXCON_OK;
+  return context_after(context, passages);
 }

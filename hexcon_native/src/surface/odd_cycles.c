@@ -208,6 +208,7 @@ static hexcon_status write_rest(hexcon_context *context, search *w, size_t cycle
   *out = (odd_cycles){.fillable = HEXCON_FILLABLE_NO};
   add_rest(w, cycle);
   tighten(w);
+  status = context_after(context, w->s->quad_count);
   for (int32_t h = 0; !status && h < (int32_t)(4 * w->s->quad_count); h++)
     if (w->sum[h])
       status = walk_from(context, w, half_edge_start(w->s, h), out);
@@ -240,6 +241,7 @@ static hexcon_status shorten(hexcon_context *context, short_cycle_search *finder
     if (found.point_count > 0)
       keep_simpler(best, &found);
     odd_cycles_free(context, &found);
+    status = context_after(context, finder->s->point_count);
   }
   return status;
 }

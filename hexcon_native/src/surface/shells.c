@@ -155,41 +155,59 @@ static double half_angle_of_patch(const double from[3], double corners[4][3], in
 }
 
 /** Whether a shell winds round a point, in either sense. */
-static bool winds_round(const nest *n, const closed_shell *shell, const double point[3]) {
+static hexcon_status winds_round(hexcon_context *context, const nest *n, const closed_shell *shell,
+                                 const double point[3], bool *winds) {
   const double half_turn = acos(-1); /* of half solid angles: a whole winding has 2 pi of them */
   double sum = 0, corners[4][3];
-  for (size_t i = shell->first_quad; i < shell->end_quad; i++) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t i = shell->first_quad; !status && i < shell->end_quad; i++) {
     for (int k = 0; k < 4; k++)
       memcpy(corners[k], corner(n->s, 4 * n->quads[i] + k), sizeof corners[k]);
     sum += half_angle_of_patch(point, corners, 24);
+    status = context_pass(context, i);
   }
-  return fabs(sum) > half_turn;
+  *winds = fabs(sum) > half_turn;
+  return status;
 }
 
-static bool lies_in(const nest *n, const closed_shell *inner, const closed_shell *outer) {
+/** Count a shell's depth up if another one is round it. */
+static hexcon_status count_around(hexcon_context *context, const nest *n, closed_shell *inner,
+                                  const closed_shell *outer) {
+  bool winds = false;
   for (int axis = 0; axis < 3; axis++)
     if (inner->low[axis] < outer->low[axis] || inner->high[axis] > outer->high[axis])
-      return false;
-  return winds_round(n, outer, corner(n->s, 4 * n->quads[inner->first_quad]));
+      return HEXCON_OK;
+  hexcon_status status =
+      winds_round(context, n, outer, corner(n->s, 4 * n->quads[inner->first_quad]), &winds);
+  inner->depth += winds;
+  return status;
 }
 
 /** Along x, with those shells at hand that reach to the present one. */
-static void find_depths(nest *n) {
-  size_t reach = 0;
-  for (size_t i = 0; i < n->s->component_count; i++) {
+static hexcon_status find_depths(hexcon_context *context, nest *n) {
+  hexcon_status status = HEXCON_OK;
+  size_t reach = 0, looked = 0;
+  for (size_t i = 0; !status && i < n->s->component_count; i++) {
     closed_shell *shell = &n->shells[i];
     size_t kept = 0;
-    for (size_t k = 0; k < reach; k++) {
+    for (size_t k = 0; !status && k < reach; k++) {
       closed_shell *other = &n->shells[n->around[k]];
       if (other->high[0] < shell->low[0])
         continue;
       n->around[kept++] = n->around[k];
-      shell->depth += lies_in(n, shell, other);
-      other->depth += lies_in(n, other, shell);
+      status = count_around(context, n, shell, other);
+      if (!status)
+        status = count_around(context, n, other, shell);
+    }
+    looked += reach;
+    if (!status && looked >= CONTEXT_PATIENCE) {
+      status = context_ask(context);
+      looked = 0;
     }
     n->around[kept++] = i;
     reach = kept;
   }
+  return status;
 }
 
 /* ------------------------------------------------------------------------------------- turning */
@@ -235,7 +253,11 @@ hexcon_status surface_orient_shells(hexcon_context *context, surface *s) {
     return status;
   if (!status) {
     find_shells(&n);
-    find_depths(&n);
+    status = context_after(context, s->quad_count);
+  }
+  if (!status)
+    status = find_depths(context, &n);
+  if (!status) {
     judge_shells(&n, s);
     turn_shells(s, n.turned);
   }

@@ -20,6 +20,8 @@ typedef struct programme {
   size_t count;
   double (*rows)[ROW]; /* [count] coefficients, then the right side at index `dimension` */
   double objective[DIMENSIONS];
+  hexcon_context *context;
+  hexcon_status *status; /* of all that comes of one programme */
 } programme;
 
 /** The best point of the box [-box, box] alone, or of an interval in one dimension. */
@@ -63,13 +65,17 @@ static bool solve(const programme *p, double (*scratch[DIMENSIONS])[ROW],
 static bool solve_on_plane(const programme *p, size_t tight, double (*scratch[DIMENSIONS])[ROW],
                            double solution[DIMENSIONS]) {
   const double *plane = p->rows[tight];
+  if (!*p->status)
+    *p->status = context_after(p->context, tight);
+  if (*p->status)
+    return false;
   int pivot = 0, n = p->dimension;
   for (int d = 1; d < n; d++)
     if (fabs(plane[d]) > fabs(plane[pivot]))
       pivot = d;
   if (fabs(plane[pivot]) < tolerance)
     return false;
-  programme lower = {n - 1, 0, scratch[n - 1], {0}};
+  programme lower = {n - 1, 0, scratch[n - 1], {0}, p->context, p->status};
   for (size_t i = 0; i < tight; i++)
     eliminate(n, p->rows[i], plane, pivot, lower.rows[lower.count++]);
   for (int sign = -1; sign <= 1; sign += 2) { /* the box of the eliminated variable */
@@ -198,7 +204,9 @@ static bool deepest_point(const surface *s, plane_function plane, size_t count, 
 static hexcon_status deepest_behind(hexcon_context *context, const surface *s, plane_function plane,
                                     size_t planes, double center[3], double *margin) {
   double(*scratch[DIMENSIONS])[ROW] = {NULL};
-  programme p = {DIMENSIONS, 0, context_allocate(context, planes, sizeof *p.rows), {0, 0, 0, 1}};
+  hexcon_status status = HEXCON_OK;
+  programme p = {DIMENSIONS,   0,       context_allocate(context, planes, sizeof *p.rows),
+                 {0, 0, 0, 1}, context, &status};
   bool complete = p.rows != NULL;
   for (int d = 1; d < DIMENSIONS; d++) {
     scratch[d] = context_allocate(context, planes + 2 * DIMENSIONS, sizeof *scratch[d]);
@@ -212,7 +220,7 @@ static hexcon_status deepest_behind(hexcon_context *context, const surface *s, p
   context_free(context, p.rows);
   for (int d = 1; d < DIMENSIONS; d++)
     context_free(context, scratch[d]);
-  return complete ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
+  return complete ? status : HEXCON_OUT_OF_MEMORY;
 }
 
 hexcon_status surface_star_center(hexcon_context *context, const surface *s, double center[3],

@@ -44,6 +44,7 @@ hexcon_status boundary_check(hexcon_context *context, const int32_t *hexes, size
   int32_t *slots = context_allocate(context, capacity, sizeof *slots);
   uint8_t *taken = context_allocate_zeroed(context, quad_count, sizeof *taken);
   bool complete = slots && taken;
+  hexcon_status status = complete ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
   if (complete) {
     memset(slots, -1, capacity * sizeof *slots);
     for (size_t q = 0; q < quad_count; q++) {
@@ -52,7 +53,8 @@ hexcon_status boundary_check(hexcon_context *context, const int32_t *hexes, size
         slot = (slot + 1) & (capacity - 1);
       slots[slot] = (int32_t)q;
     }
-    for (size_t side = 0; *exact && side < 6 * hex_count; side++) {
+    for (size_t side = 0; !status && *exact && side < 6 * hex_count; side++) {
+      status = context_pass(context, side);
       if (faces->opposite[side] >= 0)
         continue;
       int32_t corners[4];
@@ -62,5 +64,5 @@ hexcon_status boundary_check(hexcon_context *context, const int32_t *hexes, size
   }
   context_free(context, slots);
   context_free(context, taken);
-  return complete ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
+  return status;
 }

@@ -10,13 +10,18 @@ hexcon_status corner_table_build(hexcon_context *context, const int32_t *hexes, 
   if (!out->starts || !out->corners)
     return HEXCON_OUT_OF_MEMORY;
   /* Counted two places ahead, so that filling moves starts[v + 1] to where it belongs. */
-  for (size_t c = 0; c < 8 * hex_count; c++)
+  hexcon_status status = HEXCON_OK;
+  for (size_t c = 0; !status && c < 8 * hex_count; c++) {
     out->starts[hexes[c] + 2]++;
+    status = context_pass(context, c);
+  }
   for (size_t v = 1; v <= point_count; v++)
     out->starts[v + 1] += out->starts[v];
-  for (size_t c = 0; c < 8 * hex_count; c++)
+  for (size_t c = 0; !status && c < 8 * hex_count; c++) {
     out->corners[out->starts[hexes[c] + 1]++] = (int32_t)c;
-  return HEXCON_OK;
+    status = context_pass(context, c);
+  }
+  return status;
 }
 
 void corner_table_free(hexcon_context *context, corner_table *table) {

@@ -41,7 +41,10 @@ hexcon_status proper_check(hexcon_context *context, const point_star *star, id_l
 
 hexcon_status proper_find_doublets(hexcon_context *context, size_t hex_count,
                                    const face_table *faces, id_list *pairs) {
-  for (size_t hex = 0; hex < hex_count; hex++)
+  for (size_t hex = 0; hex < hex_count; hex++) {
+    hexcon_status asked = context_pass(context, hex);
+    if (asked)
+      return asked;
     for (size_t f = 0; f < 6; f++) {
       int32_t opposite = faces->opposite[6 * hex + f];
       if (opposite < 0 || opposite / 6 <= (int32_t)hex)
@@ -61,5 +64,6 @@ hexcon_status proper_find_doublets(hexcon_context *context, size_t hex_count,
       if (status)
         return status;
     }
+  }
   return HEXCON_OK;
 }

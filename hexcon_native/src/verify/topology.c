@@ -33,7 +33,7 @@ static hexcon_status visit_points(hexcon_context *context, const int32_t *hexes,
     face_table_enter(&t->faces, &t->star);
     manifold_enter(&t->links, &t->star);
     status = proper_check(context, &t->star, &t->improper);
-    if (!status && v % 65536 == 0)
+    if (!status && v % CONTEXT_PATIENCE == 0)
       status = context_progress(context, STAGE_LINKS, (double)v / (double)point_count);
   }
   return status;

@@ -39,25 +39,33 @@ def mesh_surface(points, quads, method="auto", *, timeout=120.0, progress=None, 
     The mesh of a topological method says so in report["topological"]; with certify=False its
     certificate and quality are None.
     Where cells or diced need tetrahedra inside, gmsh is asked for them (timeout: seconds for each call), as
-    long as it is there; report["gmsh"] lists what it said where it found none.
+    long as it is there; report["gmsh"] lists what it said where it found none. A budget ends its work, too.
     """
     said = []
-    mesh = hexcon_native.mesh(points, quads, method, progress=progress,
-                              tetrahedralise=_gmsh_tetrahedra(timeout, progress, said), **options)
+    mesher = _gmsh_tetrahedra(timeout, _deadline(options), progress, said)
+    mesh = hexcon_native.mesh(points, quads, method, progress=progress, tetrahedralise=mesher, **options)
     if said:
         mesh.report["gmsh"] = said
     mesh.report["topological"] = is_topological(mesh)
     return mesh
 
 
-def _gmsh_tetrahedra(timeout, progress, said):
+def _deadline(options):
+    """When the monotonic clock says so, the budget among the options is used up; None: there is none."""
+    budget = options.get("budget")
+    return time.monotonic() + budget if isinstance(budget, (int, float)) and budget > 0 else None
+
+
+def _gmsh_tetrahedra(timeout, deadline, progress, said):
     """A tetrahedral mesher for the core, which goes on without where gmsh finds nothing."""
     def fill(points, triangles):
         coarsening = _FINE if len(triangles) <= _FINE_TRIANGLES else _COARSE
+        left = timeout if deadline is None else min(timeout, deadline - time.monotonic())
+        if left <= 0.0:
+            return None     # the core finds out by itself
         try:
-            filled, tetrahedra = tetrahedralise(points, triangles, timeout=timeout,
-                                                coarsening=coarsening,
-                                                progress=_as_one_stage(progress))
+            filled, tetrahedra = tetrahedralise(points, triangles, timeout=left, coarsening=coarsening,
+                                                deadline=deadline, progress=_as_one_stage(progress))
         except ToolError as fault:
             said.append(str(fault))
             return None
@@ -102,6 +110,9 @@ def mesh_solid(shape_or_file, size, *, surface_method="auto", method="auto", tim
     method          how the surface is filled: hexcon_native.METHODS
     timeout         seconds for gmsh
     progress        callable (stage, fraction); returning False or raising cancels
+    budget          (an option, see below) seconds for all of it: the surface, and what is left of them for the
+                    hexes. Reading the file and handing over the mesh come on top. Without time left for hexes:
+                    OUT_OF_TIME
     With both methods "auto", and unless there is a budget, other surfaces are tried where the first cannot be
     filled: somewhat smaller elements, and smaller ones at curves and narrow places; report["surface tries"] tells.
     options         order, layers, threads, budget, allow_uncertified, and for the topological methods
@@ -117,16 +128,47 @@ def mesh_solid(shape_or_file, size, *, surface_method="auto", method="auto", tim
     if surface_method == "auto" and method == "auto" and not options.get("budget"):
         tries += _MORE_TRIES
 
+    deadline = _deadline(options)
+
     def surface_of(factor, care):
         return surface_from_solid(shape_or_file, size if factor == 1.0 else factor * size, surface_method, care=care,
-                                  timeout=timeout, progress=raising(progress))
-    mesh, seconds = _first_filled(surface_of, tries, method, {"timeout": timeout, "progress": progress, **options})
+                                  timeout=timeout, progress=_limited(raising(progress), deadline))
+    mesh, seconds = _first_filled(surface_of, tries, method, deadline,
+                                  {"timeout": timeout, "progress": progress, **options})
     mesh.solid = shape_or_file
     mesh.report["seconds surface"] = seconds
     return mesh
 
 
-def _first_filled(surface_of, tries, method, options):
+def _limited(progress, deadline):
+    """A progress for surfaces that ends them once the budget is used up: their programs are killed."""
+    if deadline is None:
+        return progress
+
+    def report(stage, fraction):
+        if time.monotonic() > deadline:
+            raise _out_of_time()
+        if progress is not None:
+            progress(stage, fraction)
+    return report
+
+
+def _out_of_time():
+    return HexconError("the time budget ran out while the surface was being made, before there was a mesh: allow "
+                       "more time, or mesh with larger quads", ErrorCode.OUT_OF_TIME)
+
+
+def _in_budget(options, deadline):
+    """The options with what is left of the budget; raises OUT_OF_TIME where nothing is."""
+    if deadline is None:
+        return options
+    left = deadline - time.monotonic()
+    if left <= 0.0:
+        raise _out_of_time()
+    return {**options, "budget": left}
+
+
+def _first_filled(surface_of, tries, method, deadline, options):
     """(mesh, seconds for surfaces): of the first of the tries, arguments of surface_of, that can be filled."""
     told, seconds = [], 0.0
     for one in tries:
@@ -134,7 +176,7 @@ def _first_filled(surface_of, tries, method, options):
         try:
             surface = surface_of(*one)
             seconds += time.monotonic() - started
-            mesh = _filled(surface, method, options, last=one == tries[-1])
+            mesh = _filled(surface, method, deadline, options, last=one == tries[-1])
             break
         except HexconError as fault:
             if one == tries[-1] or not _is_worth_another(fault):
@@ -145,17 +187,17 @@ def _first_filled(surface_of, tries, method, options):
     return mesh, seconds
 
 
-def _filled(surface, method, options, last):
+def _filled(surface, method, deadline, options, last):
     """mesh_quad_surface; large surfaces of some methods are diced first. last: no other surface comes after."""
     row = SURFACE_METHOD_TABLE.get(surface.method)  # none of given quads
     large = len(surface.quads) > _DICED_FIRST and row is not None and row.diced_first
     if method == "auto" and large and not options.get("layers"):
         try:
-            return mesh_quad_surface(surface, "diced", **{**options, "allow_uncertified": False})
+            return mesh_quad_surface(surface, "diced", **{**_in_budget(options, deadline), "allow_uncertified": False})
         except HexconError as fault:
             if not last or not _is_worth_another(fault):
                 raise
-    return mesh_quad_surface(surface, method, **options)
+    return mesh_quad_surface(surface, method, **_in_budget(options, deadline))
 
 
 def _is_worth_another(fault):

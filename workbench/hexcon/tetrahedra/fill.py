@@ -2,6 +2,7 @@
 """Surface to tetrahedra: by gmsh, or where it finds none, by tetgen."""
 import math
 import os
+import time
 
 import numpy as np
 
@@ -19,12 +20,13 @@ ALGORITHMS = ("Delaunay", "HXT")
 _FOR_TETGEN = (FaultCode.TOOL_MISSING, FaultCode.TOOL_FAILED)     # gmsh's faults after which there is time left
 
 
-def tetrahedralise(points, triangles, *, timeout=120.0, progress=None, coarsening=0.5):
+def tetrahedralise(points, triangles, *, timeout=120.0, deadline=None, progress=None, coarsening=0.5):
     """Graded tetrahedra in a closed surface, whose triangles are kept: (points (Q,3) float64, tetrahedra (M,4) int32).
 
     points      (P,3) float64; they come back as the first P rows, bit for bit
     triangles   (T,3) int, counter-clockwise seen from outside; every point belongs to one
     timeout     seconds for gmsh
+    deadline    of time.monotonic: after it, points are no longer moved, and nothing else is begun; None: there is none
     progress    callable(stage, fraction in 0..1); an exception from it cancels and comes out here
     coarsening  how much longer an edge is for each unit of distance from the surface: 0 as on the surface, 0.5
                 about 1 to 8 tetrahedra a triangle
@@ -45,16 +47,27 @@ def tetrahedralise(points, triangles, *, timeout=120.0, progress=None, coarsenin
     triangles = triangles.astype(np.int64)
 
     candidates, reasons = _by_gmsh(points, triangles, coarsening, timeout, progress)
-    if not candidates:
+    if not candidates and not _is_over(deadline):
         candidates, more = _by_tetgen(points, triangles, timeout, progress)
         reasons += more
     for _, mesh_points, tetrahedra in sorted(candidates, key=lambda mesh: -mesh[0]):
-        mesh_points = relax(mesh_points, tetrahedra, len(points))
+        mesh_points = relax(mesh_points, tetrahedra, len(points), lambda: _goes_on(deadline, progress))
         reason = fault_of(mesh_points, tetrahedra, points, triangles)
         if reason is None:
             return mesh_points, tetrahedra.astype(np.int32)
         reasons.append(reason)
     raise ToolError("the surface could not be filled with tetrahedra; " + "; ".join(reasons), FaultCode.TOOL_FAILED)
+
+
+def _is_over(deadline):
+    return deadline is not None and time.monotonic() > deadline
+
+
+def _goes_on(deadline, progress):
+    """Whether there is time left; progress is asked too, and may raise."""
+    if progress is not None:
+        progress("relax", 1.0)
+    return not _is_over(deadline)
 
 
 def _by_gmsh(points, triangles, coarsening, timeout, progress):
