@@ -83,7 +83,6 @@ class Method:
     cavities: bool
     odd_colours: bool
     odd_paths: bool
-    renumbering: bool
     hexes_a_quad: float | None
     tries: tuple[MethodTry, ...]
 

@@ -40,7 +40,6 @@ class Method:
     holes, cavities it fills such bodies
     odd_colours     it takes points that cannot be coloured black and white along edges
     odd_paths       it takes surfaces that bound no hex mesh, as it fills no body
-    renumbering     promised: the mesh does not depend on how points and quads are numbered
     hexes_a_quad    to be expected for each quad; None: it depends on the volume, not the quads
     tries           MethodTry, those of auto
     """
@@ -59,7 +58,6 @@ class Method:
     cavities: bool
     odd_colours: bool
     odd_paths: bool
-    renumbering: bool
     hexes_a_quad: float | None
     tries: tuple[MethodTry, ...]
 

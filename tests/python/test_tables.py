@@ -201,22 +201,6 @@ def test_what_a_mesh_tells(row):
         assert len(mesh.hexes) == row.hexes_a_quad * len(surface[1])
 
 
-def test_promised_for_any_numbering():
-    """To rounding, of random prisms and of what each method is for; of the others nothing is promised."""
-    promised = hn.methods_that(lambda row: row.renumbering)
-    assert promised[:1] == ["swept"]
-    surfaces = [(name, MADE.get(name, schneiders_pyramid)()) for name in promised]
-    rng = np.random.default_rng(2)
-    for _ in range(12):
-        levels = np.cumsum(rng.uniform(0.3, 2.0, int(rng.integers(2, 6))))
-        surfaces.append(("swept", prism(relaxed(random_cap(rng, int(rng.integers(6, 20)), 1)), levels, upright)))
-    for name, surface in surfaces:
-        wanted = np.sort(hn.mesh(*surface, name, allow_uncertified=True).quality.scaled_jacobian)
-        for _ in range(3):
-            mesh = hn.mesh(*permuted(surface, rng), name, allow_uncertified=True)
-            assert np.sort(mesh.quality.scaled_jacobian) == pytest.approx(wanted, abs=1e-9)
-
-
 # --------------------------------------------------------------------------------------------------- stages
 
 def test_words_of_stages():

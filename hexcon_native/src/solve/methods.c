@@ -36,7 +36,6 @@ static const method_row rows[] = {
                .told = "swept, {cap quads} cap quads \u00d7 {rings} rings",
                .holes = true,
                .odd_colours = true,
-               .renumbering = true,
                .tries = {{.turn = 1, .good_worst = 0.3}}},
      .fill = mesh_swept},
     {.facts = {.method = HEXCON_METHOD_SHEETS,
