@@ -87,7 +87,7 @@ def _check_places(entries, end, stream):
     place = 0
     for entry in entries:
         if entry.header_offset != place:
-            raise _refused(f"{entry.filename!r} in it begins at byte {entry.header_offset}, not at {place}: entries overlap, "
+            raise _refused(f"{entry.filename!r} in it begins at byte {entry.header_offset}, not at {place}: they overlap, "
                            "or something lies between them")
         place = _end_of(entry, stream)
     if place != end:

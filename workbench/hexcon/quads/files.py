@@ -29,15 +29,15 @@ def surface_from_file(path, *, progress=None):
     if ending not in MESH_ENDINGS:
         raise ToolError(f"{ending or 'no ending'}: a surface is read from {', '.join(MESH_ENDINGS)}",
                         FaultCode.FILE_FORMAT)
+    found = None if ending == ".unv" else cells_by_meshio(path, progress)
     with naming_faults(path):
-        points, cells, second = read_unv(path) if ending == ".unv" else _linear_cells(path, progress)
+        points, cells, second = read_unv(path) if found is None else _linear_cells(found)
         notes = ["second-order elements: their mid-side points are dropped"] if second else []
         return surface_from_cells(points, cells, notes)
 
 
-def _linear_cells(path, progress):
+def _linear_cells(found):
     """(points (P,3), dict kind -> rows, whether second-order elements were cut down)."""
-    found = cells_by_meshio(path, progress)
     parts, second = {}, False
     for name, rows, _ in found.blocks:
         kind, linear = _linear_kind(name)

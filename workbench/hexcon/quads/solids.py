@@ -35,7 +35,10 @@ def surface_from_solid(shape_or_file, size, method="auto", *, care=0, timeout=12
     """
     _check_options(size, method, timeout)
     source, numbers_of = _source(shape_or_file, progress)
-    found = run_job("gmsh_worker", source, {"method": method, "size": float(size), "care": int(care)}, timeout, progress)
+    try:
+        found = run_job("gmsh_worker", source, {"method": method, "size": float(size), "care": int(care)}, timeout, progress)
+    except ToolError as fault:
+        raise _naming_file(fault, shape_or_file) from fault
     notes = [str(n) for n in found["notes"]]
     _check_distance(found, notes)
     faces = found["faces"]
@@ -67,6 +70,12 @@ def _check_distance(found, notes):
     gap = float(found["cad_gap"].max(initial=0.0))
     if gap > 0.0:
         notes.append(f"the CAD's edges are up to {gap:.3g} off its faces; points there lie on the edges")
+
+
+def _naming_file(fault, shape_or_file):
+    """The fault, with the file's name in it where there is a file."""
+    path = os.fsdecode(shape_or_file) if isinstance(shape_or_file, (str, os.PathLike)) else ""
+    return fault if path in str(fault) else ToolError(f"{path}: {fault}", fault.code, fault.elements)
 
 
 def _source(shape_or_file, progress):
