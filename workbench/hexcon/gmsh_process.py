@@ -15,7 +15,7 @@ from hexcon import answers, child, disk, preferences
 from hexcon.errors import FaultCode, ToolError
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-WORKERS = [os.path.join(HERE, name) for name in ("quads", "tetrahedra")]     # where the workers' packages are
+WORKERS = [os.path.join(HERE, *name) for name in (("quads",), ("tetrahedra",), ("files", "workers"))]   # their packages
 # HXT's work depends on the order of addresses in memory: with these it is nearly always the same from run to run.
 SAME_MEMORY = {"PYTHONHASHSEED": "0", "MALLOC_MMAP_THRESHOLD_": "1000000000", "MALLOC_TOP_PAD_": "268435456"}
 MOST_FILES = 8 << 30    # bytes in the worker's folder: ten times what the largest surface takes

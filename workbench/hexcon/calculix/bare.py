@@ -9,6 +9,7 @@ import numpy as np
 
 from hexcon import disk
 from hexcon.errors import FaultCode, ToolError
+from hexcon.files.regular import regular_file
 
 from . import frd
 from .judging import judged_points
@@ -40,7 +41,7 @@ def _deck_text(deck):
     """Text of a deck given as text or path; relative *INCLUDE files become absolute."""
     if not isinstance(deck, os.PathLike) and "\n" in deck:
         return deck
-    path = os.path.abspath(os.fspath(deck))
+    path = os.path.abspath(regular_file(deck))
     try:
         with open(path, encoding="utf-8", errors="replace") as stream:
             text = stream.read()

@@ -7,6 +7,7 @@ import numpy as np
 
 from hexcon import freecad_compat
 from hexcon.errors import FaultCode, ToolError
+from hexcon.labels import rows_of
 from hexcon.topological import refuse_topological
 
 from .elements import elements_of
@@ -15,7 +16,7 @@ from .elements import elements_of
 # stands at FreeCAD's place k. In VTK order ccx ends with "nonpositive jacobian".
 FREECAD_HEX = [0, 3, 2, 1, 4, 7, 6, 5,
                11, 10, 9, 8, 15, 14, 13, 12, 16, 19, 18, 17]
-_GROUP = re.compile(r"^Face(\d+)$")
+_GROUP = re.compile(r"^Face(\d{1,9})$")
 
 
 def to_femmesh(mesh, order=None, *, allow_topological=False):
@@ -57,7 +58,7 @@ def add_group(femmesh, name, kind, ids):
     femmesh.addGroupElements(group, np.asarray(ids).tolist())
 
 
-def _faces_of_groups(femmesh, n_points, row_of_node):
+def _faces_of_groups(femmesh, node_ids):
     """(quads (n,4), face_of_quad (n,)) from the groups called Face<number>."""
     quads, numbers = [], []
     for group in femmesh.Groups:
@@ -68,7 +69,7 @@ def _faces_of_groups(femmesh, n_points, row_of_node):
                 numbers.append(int(name.group(1)))
     if not quads:
         return None, None
-    return row_of_node[np.array(quads)], np.array(numbers)
+    return rows_of(node_ids, quads), np.array(numbers)
 
 
 def from_femmesh(femmesh):
@@ -84,8 +85,6 @@ def from_femmesh(femmesh):
             f"{femmesh.VolumeCount} volumes of which {femmesh.HexaCount} hexahedra; a mesh "
             "of hexahedra alone is needed", FaultCode.BAD_MESH)
     node_ids = np.array(sorted(nodes))
-    row_of_node = np.full(node_ids[-1] + 1, -1, np.int64)
-    row_of_node[node_ids] = np.arange(len(node_ids))
     points = np.array([tuple(nodes[n]) for n in node_ids.tolist()])
     hex_ids = np.array(femmesh.Volumes)
     listed = [femmesh.getElementNodes(v) for v in femmesh.Volumes]
@@ -94,7 +93,7 @@ def from_femmesh(femmesh):
         raise ToolError("hexahedra of mixed order, or not of 8 or 20 nodes",
                         FaultCode.BAD_MESH)
     hexes = np.empty((len(listed), size), np.int64)
-    hexes[:, FREECAD_HEX[:size]] = row_of_node[np.array(listed)]
-    quads, numbers = _faces_of_groups(femmesh, len(points), row_of_node)
+    hexes[:, FREECAD_HEX[:size]] = rows_of(node_ids, listed)
+    quads, numbers = _faces_of_groups(femmesh, node_ids)
     return SimpleNamespace(points=points, hexes=hexes, quads=quads, face_of_quad=numbers,
                            order=2 if size == 20 else 1, node_ids=node_ids, hex_ids=hex_ids)

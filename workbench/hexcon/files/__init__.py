@@ -13,6 +13,7 @@ from hexcon.femmesh.elements import elements_of
 from hexcon.topological import BY_KEYWORD, refuse_topological, refuse_topological_method
 
 from . import abaqus, freecad, gmsh, unv, vtk
+from .regular import naming_faults, regular_file
 from .through_meshio import read_meshio
 
 WRITERS = {".inp": abaqus.write, ".msh": gmsh.write, ".vtu": vtk.write_vtu,
@@ -25,6 +26,8 @@ READERS = {".inp": abaqus.read, ".unv": unv.read, ".med": freecad.read_med,
 # What a solver takes as it is: a deck with a material, a document with a FEM mesh object. The other
 # formats, .med among them, hold a bare mesh, which to look at is what topology is for.
 SOLVER_ENDINGS = (".inp", ".fcstd")
+
+MOST_FACES = 10 ** 9    # no CAD face has a higher number; .msh holds 32 bits
 
 __all__ = ["READERS", "SOLVER_ENDINGS", "WRITERS", "check_method_for", "read_hexes", "read_mesh",
            "write"]
@@ -90,19 +93,19 @@ def replace_file(path, write_to):
 
 
 def _read(path):
-    """(points, hexes, faces) of any READERS format, faults named."""
-    path = os.fspath(path)
+    """(points, hexes, faces) of any READERS format, faults named, all in range."""
+    path = regular_file(path)
     reader = _by_ending(path, READERS, "read")
-    try:
-        with open(path, "rb"):
-            pass
-        return reader(path)
-    except OSError as error:
-        raise ToolError(f"cannot read {path}: {error.strerror or error}",
-                        FaultCode.FILE_IO) from error
-    except (ValueError, IndexError, KeyError) as error:
-        raise ToolError(f"{path} is not readable as a hex mesh: {error}",
-                        FaultCode.FILE_FORMAT) from error
+    with naming_faults(path):
+        points, hexes, faces = reader(path)
+        if not len(hexes):
+            raise ToolError(f"{path}: there are no hexahedra in it", FaultCode.FILE_FORMAT)
+        if faces is not None and (faces[1].min(initial=0) < 0 or faces[1].max(initial=0) > MOST_FACES):
+            raise ToolError(f"{path}: a quad names CAD face {faces[1].min()} to {faces[1].max()}", FaultCode.FILE_FORMAT)
+        for what, ids in (("hexahedron", hexes), ("quad", () if faces is None else faces[0])):
+            if len(ids) and (ids.min() < 0 or ids.max() >= len(points)):
+                raise ToolError(f"{path}: a {what} names a point that does not exist", FaultCode.FILE_FORMAT)
+    return points, hexes, faces
 
 
 def read_hexes(path):
@@ -122,7 +125,14 @@ def read_mesh(path):
     write() put into .inp, .msh, .vtu, .unv and .med (surfaces and groups Face1, Face2 ...),
     0 where there are none. So a file can be given loads by face.
     """
+    path = regular_file(path)
     points, hexes, faces = _read(path)
+    with naming_faults(path):
+        return _with_boundary(points, hexes, faces)
+
+
+def _with_boundary(points, hexes, faces):
+    """The mesh of read_mesh."""
     mesh = SimpleNamespace(points=points, hexes=hexes, order=2 if hexes.shape[1] == 20 else 1,
                            quads=None, face_of_quad=None, report={}, certificate=None)
     boundary = elements_of(mesh)

@@ -10,6 +10,7 @@ import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.hexahedron import FACES
+from hexcon.labels import rows_of
 
 from .text import parse_numbers, write_list, write_numbered, write_rows
 
@@ -76,10 +77,10 @@ def _blocks(path):
     for card in re.split(r"(?m)^(?=\*)", text):
         if not card.startswith("*"):
             continue
-        head, _, data = card.partition("\n")
-        while head.rstrip().endswith(","):  # a card may continue on the next line
-            more, _, data = data.partition("\n")
-            head = head.rstrip() + more
+        lines, last = card.split("\n"), 0
+        while lines[last].rstrip().endswith(",") and last + 1 < len(lines):
+            last += 1   # a card may continue on the next line
+        head, data = "".join(line.rstrip() for line in lines[:last + 1]), "\n".join(lines[last + 1:])
         words = [w.strip().upper() for w in head[1:].split(",")]
         parameters = dict((w + "=").split("=")[:2] for w in words[1:])
         yield words[0], {k.strip(): v.strip() for k, v in parameters.items()}, data
@@ -120,7 +121,7 @@ def read(path):
                 hexes.append(_numbers(data, int(match.group(1)) + 1, kind))
             elif "3D" in kind:
                 others.add(kind)
-        elif keyword == "SURFACE" and re.match(r"^FACE\d+$", parameters.get("NAME", "")):
+        elif keyword == "SURFACE" and re.match(r"^FACE\d{1,9}$", parameters.get("NAME", "")):
             surfaces.append((int(parameters["NAME"][4:]), data))
     if others:
         raise ToolError(f"{path}: elements {', '.join(sorted(others))} are no hexahedra",
@@ -129,7 +130,7 @@ def read(path):
         raise ToolError(f"{path}: no *NODE and *ELEMENT blocks of C3D8 or of C3D20",
                         FaultCode.FILE_FORMAT)
     nodes, hexes = np.vstack(nodes), np.vstack(hexes)
-    rows = _rows_of_ids(nodes[:, 0].astype(np.int64), hexes[:, 1:], path, "nodes")
+    rows = _rows_of_ids(_node_numbers(nodes[:, 0], path), hexes[:, 1:], path, "nodes")
     return nodes[:, 1:], rows, _faces(surfaces, hexes[:, 0], rows, path)
 
 
@@ -146,11 +147,16 @@ def _faces(surfaces, element_ids, hexes, path):
     return (np.vstack(quads), np.concatenate(numbers)) if len(quads) > 1 else None
 
 
+def _node_numbers(numbers, path):
+    """(n,) int64 of numbers read as floats."""
+    if not (np.abs(numbers) < 2.0 ** 53).all() or (numbers != np.rint(numbers)).any():
+        raise ToolError(f"{path}: a *NODE line does not begin with a whole number", FaultCode.FILE_FORMAT)
+    return numbers.astype(np.int64)
+
+
 def _rows_of_ids(ids, wanted, path, what):
     """Row of each wanted number; the last definition of a number counts."""
-    order = np.argsort(ids, kind="stable")
-    place = np.searchsorted(ids[order], wanted, side="right") - 1
-    if place.min(initial=0) < 0 or (ids[order][place] != wanted).any():
-        raise ToolError(f"{path} names {what} that are not defined",
-                        FaultCode.FILE_FORMAT)
-    return order[place]
+    try:
+        return rows_of(ids, wanted)
+    except ValueError as error:
+        raise ToolError(f"{path} names {what} that are not defined: {error}", FaultCode.FILE_FORMAT) from error

@@ -4,17 +4,15 @@ import os
 import zipfile
 
 from hexcon import freecad_compat
-from hexcon.errors import FaultCode, ToolError
+
+from .library import cells_by_freecad
+from .solid import shape_of_file
+from .through_meshio import hexes_of_cells
 
 
 def _shape(solid):
     """A Part shape of a shape, or of the path of a file that holds one solid."""
-    if not isinstance(solid, (str, os.PathLike)):
-        return solid
-    if os.fspath(solid).lower().endswith(".fcstd"):
-        from hexcon.quads.documents import shape_in_document_file
-        return shape_in_document_file(os.fspath(solid))
-    return freecad_compat.freecad_module("Part").read(os.fspath(solid))
+    return shape_of_file(solid) if isinstance(solid, (str, os.PathLike)) else solid
 
 
 def write_fcstd(path, elements, solid=None, name="HexMesh"):
@@ -69,11 +67,4 @@ def _complete(path):
 
 def read_med(path):
     """(points, hexes, faces) of a .med file through FreeCAD; see abaqus.read."""
-    from hexcon.femmesh.convert import from_femmesh
-    femmesh = freecad_compat.fem_module("Fem").read(path)
-    if not femmesh.NodeCount:
-        raise ToolError(f"FreeCAD finds no mesh in {path}: it looks for one that is called like the "
-                        "file, so give a renamed file its first name back", FaultCode.FILE_FORMAT)
-    mesh = from_femmesh(femmesh)
-    faces = None if mesh.quads is None else (mesh.quads, mesh.face_of_quad)
-    return mesh.points, mesh.hexes, faces
+    return hexes_of_cells(path, cells_by_freecad(path))

@@ -6,6 +6,8 @@ import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
 
+from .library import cells_by_meshio
+
 _SOLIDS = {"tetra", "tetra10", "pyramid", "pyramid13", "wedge", "wedge15", "wedge18",
            "hexahedron24", "hexahedron27", "polyhedron"}
 
@@ -20,49 +22,38 @@ def import_meshio(path):
     return meshio
 
 
-def _load(path):
-    meshio = import_meshio(path)
-    try:
-        return meshio.read(path)
-    except OSError:
-        raise
-    except (Exception, SystemExit) as error:  # meshio has many, and ends the process in some
-        raise ToolError(f"{path} is not readable: {error}", FaultCode.FILE_FORMAT) from error
-
-
 def read_meshio(path):
     """(points, hexes, faces) of .msh, .vtu, .vtk, .mesh; see abaqus.read.
 
-    Raises ToolError(FILE_FORMAT)."""
-    mesh = _load(path)
+    Raises ToolError: FILE_FORMAT, and those of reading.read."""
+    return hexes_of_cells(path, cells_by_meshio(path))
+
+
+def hexes_of_cells(path, cells):
+    """(points, hexes, faces) of library.Cells. Raises ToolError(FILE_FORMAT)."""
     found = {"hexahedron": [], "hexahedron20": []}
-    for block in mesh.cells:
-        if block.type in found:
-            found[block.type].append(np.asarray(block.data, np.int64))
-        elif block.type in _SOLIDS or block.type.startswith("polyhedron"):
-            raise ToolError(f"{path}: {len(block.data)} elements of kind {block.type}; "
+    for kind, rows, _ in cells.blocks:
+        if kind in found:
+            found[kind].append(rows)
+        elif kind in _SOLIDS or kind.startswith("polyhedron"):
+            raise ToolError(f"{path}: {len(rows)} elements of kind {kind}; "
                             "a mesh of hexahedra alone is needed", FaultCode.FILE_FORMAT)
     kinds = [blocks for blocks in found.values() if blocks]
     if len(kinds) != 1:
         raise ToolError(f"{path}: hexahedra of both orders, or none", FaultCode.FILE_FORMAT)
-    return np.asarray(mesh.points, float), np.vstack(kinds[0]), _faces(mesh)
+    return cells.points, np.vstack(kinds[0]), _faces(cells)
 
 
-def _faces(mesh):
-    """(quads, numbers), or None: from the physical surfaces called Face<number> of .msh, or
-    from the field data that files.vtk writes."""
-    fields = mesh.field_data
-    if "boundary_quads" in fields and "face_of_quad" in fields:
-        return (np.asarray(fields["boundary_quads"], np.int64).reshape(-1, 4),
-                np.asarray(fields["face_of_quad"], np.int64).ravel())
-    tags = mesh.cell_data.get("gmsh:physical")
-    if not tags:
-        return None
-    number = {int(tag): int(name[4:]) for name, (tag, dim) in fields.items()
-              if dim == 2 and re.match(r"^Face\d+$", name)}
+def _faces(cells):
+    """(quads, numbers), or None: what files.vtk writes, or the physical surfaces called
+    Face<number> of .msh."""
+    if cells.faces is not None:
+        return cells.faces
+    number = {tag: int(name[4:]) for name, tag, dim in cells.groups
+              if dim == 2 and re.match(r"^Face\d{1,9}$", name)}
     quads, numbers = [], []
-    for block, block_tags in zip(mesh.cells, tags):
-        if block.type in ("quad", "quad8"):
-            quads.append(np.asarray(block.data, np.int64)[:, :4])
-            numbers.append(np.array([number.get(int(t), 0) for t in block_tags]))
+    for kind, rows, tags in cells.blocks:
+        if number and kind in ("quad", "quad8"):
+            quads.append(rows[:, :4])
+            numbers.append(np.array([number.get(t, 0) for t in tags.tolist()], np.int64))
     return (np.vstack(quads), np.concatenate(numbers)) if quads else None

@@ -5,6 +5,7 @@ import re
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
+from hexcon.labels import rows_of
 
 from .text import parse_numbers, write_numbered
 
@@ -12,6 +13,7 @@ from .text import parse_numbers, write_numbered
 # Linear bricks have VTK's order; parabolic ones go round: corner, middle, corner, ...
 _HEX_KIND = {1: 115, 2: 116}
 _QUAD_KIND = {1: 94, 2: 95}
+_NODES = {115: 8, 116: 20, 94: 4, 95: 8}
 UNV_HEX = {1: list(range(8)),
            2: [0, 8, 1, 9, 2, 10, 3, 11, 16, 17, 18, 19, 4, 12, 5, 13, 6, 14, 7, 15]}
 UNV_QUAD = {1: [0, 1, 2, 3], 2: [0, 4, 1, 5, 2, 6, 3, 7]}
@@ -63,7 +65,7 @@ def _datasets(path):
     found = {}
     for start, end in zip(marks[::2], marks[1::2]):
         if end > start + 1:
-            number = lines[start + 1].strip().split()[0]
+            number = "".join(lines[start + 1].split()[:1])
             found.setdefault(number, []).extend(lines[start + 2:end])
     return found
 
@@ -80,12 +82,8 @@ def read(path):
     ids = np.array([int(line[:10]) for line in nodes[::2]])
     points = parse_numbers(" ".join(nodes[1::2]), float).reshape(-1, 3)
     hexes, quads = _bricks_and_quads(sets["2412"], path)
-    row = np.full(ids.max() + 1, -1, np.int64)
-    row[ids] = np.arange(len(ids))
-    if hexes.max() >= len(row) or (row[hexes] < 0).any():
-        raise ToolError(f"{path} names nodes that are not defined", FaultCode.FILE_FORMAT)
     faces = _faces(sets.get("2467", []), quads)
-    return points, row[hexes], None if faces is None else (row[faces[0]], faces[1])
+    return points, rows_of(ids, hexes), None if faces is None else (rows_of(ids, faces[0]), faces[1])
 
 
 def _bricks_and_quads(lines, path):
@@ -96,6 +94,9 @@ def _bricks_and_quads(lines, path):
         kind, size = int(head[1]), int(head[5])
         # beams carry a line of orientation before their nodes
         n_lines = (size + 7) // 8 + (1 if kind in (11, 21, 22, 23, 24) else 0)
+        if size < 1 or k + n_lines >= len(lines) or size != _NODES.get(kind, size):
+            raise ToolError(f"{path}: element {head[0]} (kind {kind}) has {size} nodes, or ends with the file",
+                            FaultCode.FILE_FORMAT)
         if kind in (115, 116):
             bricks[kind - 114].extend(lines[k + 1:k + 1 + n_lines])
         elif kind in (94, 95):
@@ -120,8 +121,10 @@ def _faces(lines, quads):
     while k + 1 < len(lines):
         count, name = int(lines[k].split()[-1]), lines[k + 1].strip()
         n_lines = (count + 1) // 2
+        if count < 0 or k + 1 + n_lines >= len(lines):
+            raise ValueError(f"group {name!r} of dataset 2467 has {count} members, which do not follow")
         entries = np.array(" ".join(lines[k + 2:k + 2 + n_lines]).split()).astype(int)
-        if re.match(r"^Face\d+$", name):
+        if re.match(r"^Face\d{1,9}$", name):
             members = [i for kind, i in entries.reshape(-1, 4)[:, :2].tolist()
                        if kind == 8 and i in quads]
             corners += [quads[i] for i in members]

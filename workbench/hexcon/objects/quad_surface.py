@@ -52,7 +52,7 @@ def job_of(source=None, file="", example="", size=1.0, method="auto"):
     if example:
         return fingerprint("example", example), lambda progress: examples.example(example)
     if file:
-        return _file_mark(file), lambda progress: surface_from_file(file)
+        return _file_mark(file), lambda progress: surface_from_file(file, progress=raising(progress))
     return None
 
 

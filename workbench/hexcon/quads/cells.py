@@ -4,7 +4,7 @@ import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
 
-from .surface import given
+from .surface import FARTHEST, given
 
 # Faces of the volume cells, as corner numbers; their sense is settled by surface.orient.
 _TRIANGLES = {"tetra": ((0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3)),
@@ -73,6 +73,8 @@ def _closed(points, quads, notes):
     try:
         return given(points, quads, notes)
     except ToolError as fault:
+        if not (np.abs(points) <= FARTHEST).all():
+            raise
         same = coincident(points)
         if len(np.unique(same)) == len(points):
             raise

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Quad surfaces and solids from FreeCAD documents."""
-import zipfile
-import zlib
-
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
+from hexcon.files.archive import check_document
+from hexcon.freecad_compat import freecad
 
 from .cells import surface_from_cells
 
@@ -54,19 +53,16 @@ def surface_from_femmesh(mesh):
 
 
 def shape_in_document_file(path):
-    """The Shape of the one solid in a .FCStd file; needs FreeCAD.
+    """The Shape of the one solid in a .FCStd file; needs FreeCAD, which a damaged file may end: files.solid calls this in a
+    process of its own.
 
     Objects other objects are made from (the tools of a cut, the features below a body's tip) do not count.
     Raises ToolError FREECAD_MISSING, FILE_FORMAT, BAD_SHAPE (names the solids if there are several).
     """
+    check_document(path)
+    app = freecad()
     try:
-        import FreeCAD
-    except ImportError as error:
-        raise ToolError("a .FCStd file needs FreeCAD's Python modules; export STEP or BREP instead, or run this in "
-                        "freecadcmd", FaultCode.FREECAD_MISSING) from error
-    _check_archive(path)
-    try:
-        document = FreeCAD.openDocument(path, True)
+        document = app.openDocument(path, True)
     except Exception as error:
         raise ToolError(f"FreeCAD cannot open {path}: {error}", FaultCode.FILE_FORMAT) from error
     try:
@@ -76,18 +72,7 @@ def shape_in_document_file(path):
             raise ToolError(f"{path} holds {len(tops)} solids ({names}); exactly one is needed", FaultCode.BAD_SHAPE)
         return tops[0].Shape.copy()
     finally:
-        FreeCAD.closeDocument(document.Name)
-
-
-def _check_archive(path):
-    """FreeCAD may crash on a damaged file: its checksums are looked at first. Raises ToolError FILE_FORMAT."""
-    try:
-        with zipfile.ZipFile(path) as archive:
-            damaged = archive.testzip()
-    except (zipfile.BadZipFile, zlib.error, NotImplementedError, EOFError) as error:
-        raise ToolError(f"{path} is no FreeCAD document, or damaged: {error}", FaultCode.FILE_FORMAT) from error
-    if damaged:
-        raise ToolError(f"{path} is damaged: the checksum of {damaged} in it is wrong", FaultCode.FILE_FORMAT)
+        app.closeDocument(document.Name)
 
 
 def _top_solids(document):

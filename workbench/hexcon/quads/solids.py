@@ -6,6 +6,8 @@ import os
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
+from hexcon.files.regular import regular_file
+from hexcon.files.solid import solid_as_brep
 from hexcon.gmsh_process import run_job
 
 from .gmsh_worker.methods import METHODS
@@ -32,11 +34,15 @@ def surface_from_solid(shape_or_file, size, method="auto", *, care=0, timeout=12
     TOOL_FAILED, NOT_SWEEPABLE, NOT_BLOCKS, NOT_TRANSFINITE, NOT_ALL_QUAD, ODD_SURFACE, OFF_CAD.
     """
     _check_options(size, method, timeout)
-    source, face_numbers = _source(shape_or_file)
-    found = run_job("gmsh_worker", source, {"method": method, "size": float(size), "care": int(care)}, timeout, progress)
+    source, numbers_of = _source(shape_or_file, progress)
+    try:
+        found = run_job("gmsh_worker", source, {"method": method, "size": float(size), "care": int(care)}, timeout, progress)
+    except ToolError as fault:
+        raise _naming_file(fault, shape_or_file) from fault
     notes = [str(n) for n in found["notes"]]
     _check_distance(found, notes)
     faces = found["faces"]
+    face_numbers = numbers_of()
     if face_numbers is not None:
         faces = np.asarray(face_numbers, np.int64)[faces - 1]
     return finished(found["points"], found["quads"], faces, str(found["method"]), notes)
@@ -66,25 +72,47 @@ def _check_distance(found, notes):
         notes.append(f"the CAD's edges are up to {gap:.3g} off its faces; points there lie on the edges")
 
 
-def _source(shape_or_file):
-    """(callable(folder) -> CAD path, face numbers of the caller's shape or None if they are 1, 2, 3, ...)."""
+def _naming_file(fault, shape_or_file):
+    """The fault, with the file's name in it where there is a file."""
+    path = os.fsdecode(shape_or_file) if isinstance(shape_or_file, (str, os.PathLike)) else ""
+    return fault if path in str(fault) else ToolError(f"{path}: {fault}", fault.code, fault.elements)
+
+
+def _source(shape_or_file, progress):
+    """(callable(folder) -> CAD path, callable() -> face numbers of the caller's shape or None if they are 1, 2, 3, ...);
+    the second is called after the first."""
     if not isinstance(shape_or_file, (str, os.PathLike)):
-        return _from_shape(shape_or_file)
-    path = os.fspath(shape_or_file)
-    if not os.path.isfile(path):
-        raise ToolError(f"there is no file {path}", FaultCode.FILE_IO)
+        write, face_numbers = from_shape(shape_or_file)
+
+        def write_into(folder):
+            path = os.path.join(folder, "solid.brep")
+            write(path)
+            return path
+        return write_into, lambda: face_numbers
+    path = regular_file(shape_or_file)
     ending = os.path.splitext(path)[1].lower()
     if ending == ".fcstd":
-        from .documents import shape_in_document_file
-        return _from_shape(shape_in_document_file(path))
+        return _of_document(path, progress)
     if ending not in CAD_ENDINGS:
         raise ToolError(f"{ending or 'no ending'}: a solid is read from {', '.join(CAD_ENDINGS)} or .FCStd",
                         FaultCode.FILE_FORMAT)
-    return (lambda folder: path), None
+    return (lambda folder: path), lambda: None
 
 
-def _from_shape(shape):
-    """The same for a FreeCAD shape: its one solid goes to the subprocess as BREP."""
+def _of_document(path, progress):
+    """As _source, of a .FCStd file."""
+    numbers = []
+
+    def write(folder):
+        brep = os.path.join(folder, "solid.brep")
+        numbers.append(solid_as_brep(path, brep, progress))
+        return brep
+    return write, lambda: numbers[-1]
+
+
+def from_shape(shape):
+    """(callable(path) that writes the one solid of a FreeCAD shape as BREP, numbers of the solid's faces in the shape or
+    None if they are the same). Raises ToolError BAD_OPTION, BAD_SHAPE."""
     if not hasattr(shape, "exportBrep"):
         raise ToolError(f"expected a FreeCAD shape or a path, not {type(shape).__name__}", FaultCode.BAD_OPTION)
     if shape.isNull():
@@ -97,12 +125,7 @@ def _from_shape(shape):
         raise ToolError("the solid is not valid (Part, Check geometry tells more)", FaultCode.BAD_SHAPE)
     if not all(shell.isClosed() for shell in solid.Shells):
         raise ToolError("the solid is not closed", FaultCode.BAD_SHAPE)
-
-    def write(folder):
-        path = os.path.join(folder, "solid.brep")
-        solid.exportBrep(path)
-        return path
-    return write, _face_numbers(shape, solid)
+    return solid.exportBrep, _face_numbers(shape, solid)
 
 
 def _face_numbers(shape, solid):

@@ -6,6 +6,8 @@ import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
 
+FARTHEST = 1e100    # of a coordinate; its cube is still a number
+
 
 @dataclass
 class QuadSurface:
@@ -175,6 +177,10 @@ def _packed(points, quads):
         raise ToolError("there are no quads", FaultCode.BAD_SHAPE)
     if not np.isfinite(points).all():
         raise ToolError("a point is not finite", FaultCode.BAD_SHAPE, np.flatnonzero(~np.isfinite(points).all(axis=1)))
+    far = (np.abs(points) > FARTHEST).any(axis=1)
+    if far.any():
+        raise ToolError(f"a point is farther than {FARTHEST:g} from the origin: volumes could not be computed",
+                        FaultCode.BAD_SHAPE, np.flatnonzero(far))
     ranked = np.sort(quads, axis=1)
     repeated = (ranked[:, 1:] == ranked[:, :-1]).any(axis=1)
     if repeated.any():

@@ -2,12 +2,16 @@
 """A reader for the part of I-DEAS universal files that holds a mesh: datasets 2411 and 2412."""
 import numpy as np
 
+from .cells import CORNERS
+
 # descriptor -> (kind, positions of the corners among the element's nodes)
 _LINEAR = {41: "triangle", 91: "triangle", 44: "quad", 94: "quad", 111: "tetra", 112: "wedge", 115: "hexahedron",
            114: "pyramid"}
 _SECOND = {42: ("triangle", (0, 2, 4)), 92: ("triangle", (0, 2, 4)), 45: ("quad", (0, 2, 4, 6)),
            95: ("quad", (0, 2, 4, 6)), 118: ("tetra", (0, 2, 4, 9)), 113: ("wedge", (0, 2, 4, 9, 11, 13)),
            116: ("hexahedron", (0, 2, 4, 6, 12, 14, 16, 18))}
+_CORNERS_OF = {**{code: (kind, range(CORNERS[kind])) for code, kind in _LINEAR.items()}, **_SECOND}
+_COUNT = {**{code: CORNERS[kind] for code, kind in _LINEAR.items()}, 42: 6, 92: 6, 45: 8, 95: 8, 118: 10, 113: 15, 116: 20}
 _BEAMS = (11, 21, 22, 23, 24)      # these have one more line
 
 
@@ -28,13 +32,12 @@ def read_unv(path):
     row = {label: k for k, label in enumerate(nodes)}
     parts, second = {}, False
     for descriptor, labels in elements:
-        if descriptor in _LINEAR:
-            parts.setdefault(_LINEAR[descriptor], []).append([row[n] for n in labels])
-        elif descriptor in _SECOND:
-            kind, corners = _SECOND[descriptor]
-            parts.setdefault(kind, []).append([row[labels[c]] for c in corners])
-            second = True
-    return np.array(list(nodes.values()), float), parts, second
+        kind, corners = _CORNERS_OF[descriptor]
+        if len(labels) != _COUNT[descriptor]:
+            raise ValueError(f"an element of kind {descriptor} with {len(labels)} nodes")
+        parts.setdefault(kind, []).append([row[labels[c]] for c in corners])
+        second |= descriptor in _SECOND
+    return np.array(list(nodes.values()), float).reshape(-1, 3), parts, second
 
 
 def _datasets(stream):
@@ -64,4 +67,5 @@ def _read_elements(lines, elements):
         while len(labels) < count:
             labels += [int(x) for x in lines[at].split()]
             at += 1
-        elements.append((descriptor, labels))
+        if descriptor in _CORNERS_OF:
+            elements.append((descriptor, labels))

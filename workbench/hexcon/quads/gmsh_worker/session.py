@@ -5,11 +5,11 @@ The tetrahedra's worker runs in the same way and imports this, fault and link.
 """
 import json
 import os
-import signal
 
 import numpy as np
 
 import gmsh
+from file_worker import limits
 
 from .fault import WorkerFault
 from .link import Link
@@ -20,8 +20,7 @@ def run(job_path, work):
     with open(job_path, encoding="utf-8") as stream:
         job = json.load(stream)
     folder = os.path.dirname(job_path)
-    if hasattr(signal, "alarm"):
-        signal.alarm(int(job["timeout"]) + 30)      # should the parent be killed, this process does not stay
+    limits.keep_to(job["timeout"])
     link = Link(folder, job["avoid"])
     gmsh.initialize([], False)
     try:
