@@ -821,6 +821,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Reading the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: evening out the tetrahedra inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>CalculiX solves</source>
         <translation type="unfinished"></translation>
     </message>

@@ -15,6 +15,8 @@ AROUND = {
     "faces": "Surface: quads of the blocks' faces",
     "mesh": "Surface: quads by gmsh",
     "check": "Surface: distance from the solid",
+    "read": "Reading the file",
+    "relax": "Hexes: evening out the tetrahedra inside",
     "CalculiX": "CalculiX solves",
 }
 
