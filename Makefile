@@ -22,7 +22,7 @@ sanitized_package = $(sanitized)/package/hexcon_native
 fuzzed = build/fuzz
 sources = $(shell git ls-files 'hexcon_native/*.[ch]' 'tests/native/*.[ch]' 2>/dev/null || \
             find hexcon_native tests/native -name '*.[ch]')
-native = $(wildcard hexcon_native/src/*/*.c)
+native = $(wildcard hexcon_native/src/*/*.c hexcon_native/src/*/*/*.c)
 
 .PHONY: run test build bench bench-window compare parts csg gallery screenshots setup-run setup-test lint sanitized-build native-test hostile-test python-test fuzz clean
 

@@ -498,7 +498,7 @@ typedef struct hexcon_method_facts {
   bool holes;          /**< fills bodies with holes through them */
   bool cavities;       /**< fills bodies with cavities */
   bool odd_colours;    /**< takes points that cannot be coloured black and white along edges */
-  bool odd_paths;   /**< takes surfaces that bound no hex mesh (NO_HEX_MESH), as it fills no body */
+  bool odd_paths; /**< takes surfaces that bound no hex mesh (NO_HEX_MESH), as it fills no body */
   double
       hexes_a_quad; /**< to be expected for each quad; 0: it depends on the volume, not the quads */
   hexcon_method_try tries[HEXCON_METHOD_TRIES]; /**< of auto; a second one has other options */

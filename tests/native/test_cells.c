@@ -7,10 +7,11 @@
 #include "construct/cells.h"
 #include "construct/dice.h"
 #include "construct/hex_template.h"
+#include "pairing/pairing.h"
 #include "support.h"
+#include "surface/build.h"
 #include "surface/colouring.h"
 #include "surface/corner_angles.h"
-#include "surface/pairing.h"
 #include "verify/jacobian_sign.h"
 
 /* ---------------------------------------------------------------------------------- templates */

@@ -6,6 +6,7 @@
 #include "construct/coarse_front.h"
 #include "construct/coarse_ways.h"
 #include "support.h"
+#include "surface/build.h"
 
 /* ---------------------------------------------------------------------------------- surfaces */
 

@@ -4,11 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "shape/crossing_triangles.h"
-#include "shape/inner_surface.h"
-#include "shape/inward_directions.h"
-#include "shape/inward_room.h"
+#include "shape/offset/crossing_triangles.h"
+#include "shape/offset/inner_surface.h"
+#include "shape/offset/inward_directions.h"
+#include "shape/offset/inward_room.h"
 #include "support.h"
+#include "surface/build.h"
 
 /** A surface and the copy inside it. */
 typedef struct offset_case {

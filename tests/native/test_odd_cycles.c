@@ -2,11 +2,12 @@
 /** Bases of homology, linking numbers, and the closed paths that allow or forbid a hex mesh. */
 #include <string.h>
 
+#include "homology/bit_matrix.h"
+#include "homology/handle_cycles.h"
+#include "homology/linking_numbers.h"
+#include "homology/odd_cycles.h"
 #include "support.h"
-#include "surface/bit_matrix.h"
-#include "surface/handle_cycles.h"
-#include "surface/linking_numbers.h"
-#include "surface/odd_cycles.h"
+#include "surface/build.h"
 #include "surface/shell_copy.h"
 
 static void build(hexcon_context *context, const test_mesh *m, surface *s) {

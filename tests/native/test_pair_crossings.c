@@ -3,10 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "pairing/pair_crossings.h"
+#include "pairing/pair_rewiring.h"
 #include "support.h"
+#include "surface/build.h"
 #include "surface/loops.h"
-#include "surface/pair_crossings.h"
-#include "surface/pair_rewiring.h"
 
 /* --------------------------------------------------------------------------- the transition */
 

@@ -4,9 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "pairing/pair_weights.h"
+#include "pairing/pairing.h"
 #include "support.h"
-#include "surface/pair_weights.h"
-#include "surface/pairing.h"
+#include "surface/build.h"
 
 /* ------------------------------------------------------------------------- 4-regular graphs */
 

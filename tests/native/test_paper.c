@@ -6,11 +6,12 @@
 
 #include "construct/paired_transition.h"
 #include "construct/split_front.h"
+#include "pairing/given_pairs.h"
+#include "pairing/pairing.h"
 #include "support.h"
+#include "surface/build.h"
 #include "surface/colouring.h"
-#include "surface/given_pairs.h"
 #include "surface/loop_families.h"
-#include "surface/pairing.h"
 
 static const hexcon_method methods[] = {HEXCON_METHOD_FOUR_SPLIT, HEXCON_METHOD_PYRAMID,
                                         HEXCON_METHOD_PYRAMID_ALT, HEXCON_METHOD_GEODE,

@@ -5,6 +5,7 @@
 
 #include "construct/sheet_front.h"
 #include "support.h"
+#include "surface/build.h"
 
 static const hexcon_mesh_options sheets = {.method = HEXCON_METHOD_SHEETS};
 static const hexcon_mesh_options sheets_alone = {.method = HEXCON_METHOD_SHEETS, .no_core = true};

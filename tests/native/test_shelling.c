@@ -5,10 +5,11 @@
 #include <string.h>
 
 #include "construct/rotated_shell.h"
-#include "shape/prism_placement.h"
-#include "solve/rotation_search.h"
-#include "solve/shell_filling.h"
+#include "shape/place/prism_placement.h"
+#include "solve/shelling/rotation_search.h"
+#include "solve/shelling/shell_filling.h"
 #include "support.h"
+#include "surface/build.h"
 #include "surface/edge_rotation.h"
 #include "surface/loop_crossings.h"
 #include "surface/loops.h"

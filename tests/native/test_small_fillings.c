@@ -4,8 +4,9 @@
 #include <string.h>
 
 #include "construct/small_fillings.h"
-#include "solve/mesh_smallest.h"
+#include "solve/smallest/mesh_smallest.h"
 #include "support.h"
+#include "surface/build.h"
 
 static const small_filling_table *const table = &small_fillings_smallest;
 

@@ -15,7 +15,7 @@
 #ifndef HEXCON_CONSTRUCT_SHEET_FRONT_H
 #define HEXCON_CONSTRUCT_SHEET_FRONT_H
 
-#include "construct/growing_mesh.h"
+#include "growing_mesh.h"
 #include "surface/loops.h"
 
 /** A layer laid: from where its rungs, hexes and points begin; it ends where the next begins. */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "surface/build.h"
 #include "surface/numbering.h"
 
 /** Digits of ids and coordinates, and how many of them make one. */

@@ -4,14 +4,15 @@
 #include <string.h>
 
 #include "embedding/embedding.h"
-#include "mesh_auto.h"
-#include "mesh_result.h"
+#include "hexmesh/scaled_jacobian.h"
+#include "homology/odd_cycles.h"
 #include "methods.h"
+#include "solve/auto/mesh_auto.h"
+#include "solve/common/mesh_result.h"
+#include "surface/build.h"
 #include "surface/numbering.h"
-#include "surface/odd_cycles.h"
 #include "surface/shells.h"
 #include "verify/certificate.h"
-#include "verify/scaled_jacobian.h"
 
 /** `auto` is no method to turn to: it hands every option on. */
 static bool takes_layers(const hexcon_method_facts *facts) {

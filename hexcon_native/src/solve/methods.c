@@ -3,13 +3,13 @@
 
 #include <stdio.h>
 
-#include "mesh_cells.h"
-#include "mesh_diced.h"
-#include "mesh_sheets.h"
-#include "mesh_shelling.h"
-#include "mesh_smallest.h"
-#include "mesh_swept.h"
-#include "mesh_topological.h"
+#include "solve/cells/mesh_cells.h"
+#include "solve/diced/mesh_diced.h"
+#include "solve/paper/mesh_topological.h"
+#include "solve/sheets/mesh_sheets.h"
+#include "solve/shelling/mesh_shelling.h"
+#include "solve/smallest/mesh_smallest.h"
+#include "solve/swept/mesh_swept.h"
 
 /**
  * In the order in which users see them: those for solvers by their worth, then those of topology.

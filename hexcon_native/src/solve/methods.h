@@ -3,7 +3,7 @@
 #ifndef HEXCON_SOLVE_METHODS_H
 #define HEXCON_SOLVE_METHODS_H
 
-#include "mesh_result.h"
+#include "solve/common/mesh_result.h"
 #include "surface/half_edges.h"
 
 /**

@@ -3,9 +3,6 @@
 
 #include <string.h>
 
-#include "checks.h"
-#include "shells.h"
-
 size_t surface_used_point_count(const int32_t *quads, size_t quad_count) {
   int32_t largest = -1;
   for (size_t i = 0; i < 4 * quad_count; i++)
@@ -224,7 +221,7 @@ static hexcon_status check_vertices(hexcon_context *context, const surface *s) {
   return HEXCON_OK;
 }
 
-static hexcon_status connect(hexcon_context *context, surface *s) {
+hexcon_status surface_connect(hexcon_context *context, surface *s) {
   int32_t *sorted = context_allocate(context, 4 * s->quad_count, sizeof *sorted);
   hexcon_status status = sorted ? sort_half_edges(context, s, sorted) : HEXCON_OUT_OF_MEMORY;
   if (!status)
@@ -239,25 +236,4 @@ static hexcon_status connect(hexcon_context *context, surface *s) {
   if (!status)
     status = check_vertices(context, s);
   return status ? status : context_after(context, s->quad_count);
-}
-
-hexcon_status surface_build(hexcon_context *context, const double *points, size_t point_count,
-                            const int32_t *quads, size_t quad_count, surface *out) {
-  memset(out, 0, sizeof *out);
-  hexcon_status status = check_arrays(context, points, point_count, quads, quad_count);
-  if (!status)
-    status = context_after(context, quad_count);
-  if (status)
-    return status;
-  out->points = points;
-  out->point_count = point_count;
-  out->quad_count = quad_count;
-  out->quads = context_allocate(context, 4 * quad_count, sizeof *out->quads);
-  out->twins = context_allocate(context, 4 * quad_count, sizeof *out->twins);
-  out->component_of_quad = context_allocate(context, quad_count, sizeof *out->component_of_quad);
-  if (!out->quads || !out->twins || !out->component_of_quad)
-    return HEXCON_OUT_OF_MEMORY;
-  memcpy(out->quads, quads, 4 * quad_count * sizeof *quads);
-  status = connect(context, out);
-  return !status && points ? surface_orient_shells(context, out) : status;
 }

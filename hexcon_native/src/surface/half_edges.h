@@ -45,15 +45,12 @@ static inline int32_t half_edge_end(const surface *s, int32_t h) {
 }
 
 /**
- * Check a surface and build its adjacency; with points, turn its shells out of the solid. Linear,
- * but for the nesting of several shells: see surface_orient_shells.
- * @param points  [point_count][3], or NULL: then orientation is only made consistent, point_count
- *                only bounds the ids, and unused ids are allowed
- * @param out     filled; free with surface_free, also after an error
- * @return the faults listed at hexcon_check_surface
+ * Find the twins, the components and one consistent orientation of quads whose arrays are checked.
+ * @param s  with its counts, quads, and room for twins and component_of_quad. Linear
+ * @return NON_MANIFOLD_EDGE, NOT_CLOSED, NOT_ORIENTABLE, INCONSISTENT_ORIENTATION,
+ *         NON_MANIFOLD_VERTEX, OUT_OF_MEMORY, CANCELLED, OUT_OF_TIME
  */
-hexcon_status surface_build(hexcon_context *context, const double *points, size_t point_count,
-                            const int32_t *quads, size_t quad_count, surface *out);
+hexcon_status surface_connect(hexcon_context *context, surface *s);
 void surface_free(hexcon_context *context, surface *s);
 
 /** Largest id in quads plus one; 0 if there is none that is valid. */

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "surface/build.h"
 #include "surface/shells.h"
 
 /** A quad that was turned, and one of another shell. */

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "id_hash.h"
+#include "hexmesh/id_hash.h"
 
 /** Whatever its first corner and direction. */
 static uint64_t hash_quad(const int32_t corners[4]) {

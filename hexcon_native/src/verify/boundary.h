@@ -3,7 +3,7 @@
 #ifndef HEXCON_VERIFY_BOUNDARY_H
 #define HEXCON_VERIFY_BOUNDARY_H
 
-#include "face_table.h"
+#include "hexmesh/face_table.h"
 
 /** Expected linear. @param exact true if the sides in one hex only are the quads, each once and
  * outward, and nothing else */

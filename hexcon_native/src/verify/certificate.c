@@ -6,7 +6,7 @@
 
 #include "bodies.h"
 #include "embedding/embedding.h"
-#include "hex_arrays.h"
+#include "hexmesh/hex_arrays.h"
 #include "jacobian_sign.h"
 #include "proper.h"
 #include "surface/checks.h"

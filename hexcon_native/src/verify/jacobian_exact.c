@@ -7,7 +7,7 @@
 
 #include "base/expansion.h"
 #include "box_place.h"
-#include "hex_tables.h"
+#include "hexmesh/hex_tables.h"
 
 enum {
   MAX_DEPTH = 96,  /* bisections along the deepest path: coefficients within 2^-64 of the values */

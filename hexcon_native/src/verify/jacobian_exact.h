@@ -3,7 +3,9 @@
 #ifndef HEXCON_VERIFY_JACOBIAN_EXACT_H
 #define HEXCON_VERIFY_JACOBIAN_EXACT_H
 
-#include "jacobian_sign.h"
+#include <stdint.h>
+
+#include "jacobian_verdict.h"
 
 /**
  * As prove_jacobian_sign_at, with every Bernstein coefficient exact: a corner of exactly zero is

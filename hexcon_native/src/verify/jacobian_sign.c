@@ -7,7 +7,7 @@
 
 #include "base/vector.h"
 #include "box_place.h"
-#include "hex_tables.h"
+#include "hexmesh/hex_tables.h"
 #include "jacobian_exact.h"
 
 enum {

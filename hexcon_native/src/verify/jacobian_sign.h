@@ -5,11 +5,7 @@
 
 #include <stdint.h>
 
-typedef enum jacobian_sign {
-  JACOBIAN_POSITIVE,    /**< proved positive on the whole closed hex */
-  JACOBIAN_NONPOSITIVE, /**< proved zero or negative at some point of the hex */
-  JACOBIAN_UNDECIDED    /**< touches zero, as far as can be told; see jacobian_exact.h */
-} jacobian_sign;
+#include "jacobian_verdict.h"
 
 /**
  * Sign of the Jacobian determinant of the trilinear map of a hex.

@@ -3,7 +3,7 @@
 #ifndef HEXCON_VERIFY_MANIFOLD_H
 #define HEXCON_VERIFY_MANIFOLD_H
 
-#include "point_star.h"
+#include "hexmesh/point_star.h"
 
 /** Facts of the stars entered so far. They mean something only if no side is crowded. */
 typedef struct manifold {

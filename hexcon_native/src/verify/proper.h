@@ -3,7 +3,7 @@
 #ifndef HEXCON_VERIFY_PROPER_H
 #define HEXCON_VERIFY_PROPER_H
 
-#include "face_table.h"
+#include "hexmesh/face_table.h"
 
 /** A growing list of ids. */
 typedef struct id_list {

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "verify/hex_tables.h"
+#include "hexmesh/hex_tables.h"
 
 /** Corners of `a` that `b` has too, as bits; `where` tells which corner of b each is. */
 static unsigned common_corners(const uint8_t a[8], const uint8_t b[8], int where[8]) {

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "hexes.h"
-#include "verify/hex_tables.h"
+#include "hexmesh/hex_tables.h"
 
 enum { MOST_CHOICES = 64 };
 

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "verify/hex_tables.h"
+#include "hexmesh/hex_tables.h"
 
 bool sphere_link(sphere *s) {
   uint8_t dart_between[MOST_VERTICES][MOST_VERTICES];

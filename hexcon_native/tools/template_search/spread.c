@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "hexes.h"
+#include "hexmesh/hex_tables.h"
 #include "support.h"
-#include "verify/hex_tables.h"
 
 static bool has_all(const uint8_t hex[8], const uint8_t *ids, int count) {
   for (int i = 0; i < count; i++)

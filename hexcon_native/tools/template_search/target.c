@@ -8,8 +8,8 @@
 
 #include "base/vector.h"
 #include "hexes.h"
+#include "hexmesh/hex_tables.h"
 #include "support.h"
-#include "verify/hex_tables.h"
 
 /** `v id x y z label` */
 static void read_point(target *t, const char *line) {

@@ -1,0 +1,290 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+#include "mesh_cells.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "cell_filling.h"
+#include "hexmesh/scaled_jacobian.h"
+#include "shape/improve/improve.h"
+#include "surface/corner_angles.h"
+#include "surface/star_center.h"
+#include "verify/jacobian_sign.h"
+
+/** One way to try. */
+typedef struct attempt {
+  double thickness;   /* of the cells, in lengths of the edges above */
+  size_t more_layers; /* of plain hexes, than the caller wants */
+  bool pair_anew;     /* keep pairs apart whose cells came out worst */
+} attempt;
+
+/** In this order, until all hexes are good; the last ones only while some are not even positive. A
+ * layer of plain hexes over the cells costs a hex a quad and is worth it. */
+static const attempt attempts[] = {{0.6, 1, false}, {0.45, 1, false}, {0.7, 0, false},
+                                   {0.6, 1, true},  {0.45, 2, true},  {0.45, 0, true},
+                                   {0.3, 3, true}};
+enum { FOR_QUALITY = 4 };
+enum { ATTEMPTS = sizeof attempts / sizeof *attempts };
+
+/** A star's middle is crowded with more quads than this: it is not tried beside tetrahedra. */
+enum { STAR_QUADS = 64 };
+
+/** Nothing else is tried once the worst scaled Jacobian is this, or near what the surface allows.
+ */
+static const double good_worst = 0.1, near_the_bound = 0.8;
+
+/** The centre: sees all corners, or, where some are folded, at least the quads they belong to. Not
+ * every body has one, none with holes or cavities. */
+static hexcon_status find_center(hexcon_context *context, const surface *s, double center[3],
+                                 bool *found) {
+  double margin = -1;
+  hexcon_status status =
+      surface_is_sphere(s) ? surface_star_center(context, s, center, &margin) : HEXCON_OK;
+  if (!status)
+    status = surface_check_fillable(context, s, margin > 0);
+  if (!status && surface_is_sphere(s) && !(margin > 0))
+    status = surface_mean_center(context, s, center, &margin);
+  *found = margin > 0;
+  return status;
+}
+
+static hexcon_status check_closable(hexcon_context *context, const hexcon_mesh_options *options,
+                                    bool has_center) {
+  if (has_center || options->tetrahedralise)
+    return HEXCON_OK;
+  return context_fail(context, HEXCON_NOT_STAR_SHAPED,
+                      "no point inside sees the whole surface: cells need tetrahedra inside then, "
+                      "and no mesher of tetrahedra was given; give one, or cut the body into "
+                      "convex or star-shaped parts");
+}
+
+static hexcon_status prepare(hexcon_context *context, const surface *s,
+                             const hexcon_mesh_options *options, cell_problem *p) {
+  double center[3] = {0};
+  bool has_center = false;
+  hexcon_status status = find_center(context, s, center, &has_center);
+  if (!status)
+    status = check_closable(context, options, has_center);
+  if (!status)
+    status = cell_problem_new(context, s, options, p);
+  memcpy(p->center, center, sizeof center);
+  p->no_center = !has_center;
+  return status;
+}
+
+static hexcon_status check_found(hexcon_context *context, const cell_filling *best) {
+  if (best->points)
+    return HEXCON_OK;
+  return context_fail(
+      context, HEXCON_NOT_STAR_SHAPED,
+      "no point inside sees the whole surface, and no tetrahedra were found between "
+      "the cells: thin or narrow parts may need smaller quads");
+}
+
+/* ------------------------------------------------------------------------------------ improving */
+
+static hexcon_status measure(hexcon_context *context, cell_filling *f) {
+  hexcon_status status = HEXCON_OK;
+  f->inverted = 0;
+  f->worst = 1;
+  f->mean = 0;
+  for (size_t h = 0; !status && h < f->hex_count; h++) {
+    bool positive = prove_jacobian_sign(f->points, f->hexes + 8 * h) == JACOBIAN_POSITIVE;
+    f->quality[h] = scaled_jacobian(f->points, f->hexes + 8 * h);
+    f->inverted += !positive;
+    f->worst = fmin(f->worst, f->quality[h]);
+    f->mean += f->quality[h] / (double)f->hex_count;
+    status = context_pass(context, h);
+  }
+  return status;
+}
+
+static hexcon_status improve(hexcon_context *context, const cell_problem *p,
+                             const hexcon_optimize_options *options, cell_filling *f) {
+  uint8_t *fixed = context_allocate_zeroed(context, f->point_count, sizeof *fixed);
+  if (!fixed)
+    return HEXCON_OUT_OF_MEMORY;
+  memset(fixed, 1, p->s->point_count);
+  size_t rounds = 0;
+  hexcon_status status = improve_mesh(context, f->points, f->point_count, f->hexes, f->hex_count,
+                                      fixed, options, &rounds);
+  f->rounds += rounds;
+  context_free(context, fixed);
+  hexcon_status measured = mesh_stop(context, status) ? measure(context, f) : HEXCON_OK;
+  return measured ? measured : status;
+}
+
+static bool is_good(const cell_problem *p, const cell_filling *f) {
+  return f->points && f->inverted == 0 && f->worst >= fmin(good_worst, near_the_bound * p->bound);
+}
+
+/** Untangle, raise the mean, which leaves few bad hexes, then the worst of those: enough to see
+ * what a filling is worth. */
+static hexcon_status improve_roughly(hexcon_context *context, const cell_problem *p,
+                                     cell_filling *f) {
+  hexcon_optimize_options untangling = {
+      .threads = p->options->threads, .target = 1e-6, .mean_passes = 1};
+  hexcon_optimize_options rough = {
+      .threads = p->options->threads, .target = 1.5 * good_worst, .max_rounds = 3};
+  hexcon_optimize_options longer = {
+      .threads = p->options->threads, .target = 1.2 * good_worst, .max_rounds = 6};
+  hexcon_status status = improve(context, p, &untangling, f);
+  if (!status && f->inverted == 0)
+    status = improve(context, p, &rough, f);
+  if (!status && f->inverted == 0 && !is_good(p, f))
+    status = improve(context, p, &longer, f);
+  return status;
+}
+
+/** A mesh of this many hexes is worth the time of more passes for the worst of them. */
+enum { SMALL_MESH = 12000 };
+
+/** The best filling's worst hexes, if that does not take long, then its mean. */
+static hexcon_status polish(hexcon_context *context, const cell_problem *p, cell_filling *f) {
+  bool small = f->hex_count <= SMALL_MESH;
+  hexcon_optimize_options options = {.threads = p->options->threads,
+                                     .target = small ? 2.5 * good_worst : 1e-6,
+                                     .max_rounds = 5,
+                                     .mean_passes = 2};
+  return f->inverted == 0 ? improve(context, p, &options, f) : HEXCON_OK;
+}
+
+static bool is_better(const cell_filling *a, const cell_filling *b) {
+  if (!b->points || a->inverted != b->inverted)
+    return !b->points || a->inverted < b->inverted;
+  double part = fmin(a->worst, 1.5 * good_worst) - fmin(b->worst, 1.5 * good_worst);
+  return fabs(part) > 1e-3 ? part > 0 : a->mean > b->mean;
+}
+
+static const char *const closure_names[] = {"star", "tetrahedra"};
+
+static void log_attempt(hexcon_mesh *mesh, const attempt *way, const cell_filling *f) {
+  char line[256], found[128] = "no tetrahedra found";
+  if (f->points)
+    (void)snprintf(found, sizeof found,
+                   "%zu hexes, %zu not positive, scaled Jacobian min %.4f, mean %.4f", f->hex_count,
+                   f->inverted, f->worst, f->mean);
+  (void)snprintf(line, sizeof line, "%s, thickness %.2f, %zu layers%s: %s",
+                 closure_names[f->closure], way->thickness, f->layers,
+                 way->pair_anew ? ", paired anew" : "", found);
+  mesh_log(mesh, line);
+}
+
+/** Fill by one closure; keep the better of that and `best`. */
+static hexcon_status try_closure(hexcon_context *context, const cell_problem *p, const attempt *way,
+                                 closure_kind kind, hexcon_mesh *mesh, cell_filling *best) {
+  cell_filling f = {.closure = kind,
+                    .thickness = way->thickness,
+                    .layers = p->cells.layers,
+                    .pairing = p->pairing};
+  hexcon_status status = cell_filling_build(context, p, way->thickness, kind, &f);
+  bool built = !status && f.points;
+  if (built)
+    status = improve_roughly(context, p, &f);
+  if (!status)
+    log_attempt(mesh, way, &f);
+  if (built && mesh_stop(context, status) && is_better(&f, best)) {
+    cell_filling worse = *best;
+    *best = f;
+    f = worse;
+  }
+  cell_filling_free(context, &f);
+  return status;
+}
+
+/** Make pairs less wanted whose cells hold bad hexes. */
+static void keep_apart(cell_problem *p, const cell_filling *f) {
+  size_t first = f->layers * p->s->quad_count, width = p->cells.domino->hex_count, cell = 0;
+  if (f->pairing != p->pairing)
+    return; /* of an earlier one: its cells are not these */
+  p->pairing++;
+  for (size_t q = 0; q < p->s->quad_count; q++) {
+    int32_t h = p->partner[q];
+    if (p->colours[half_edge_start(p->s, h)] == 0)
+      continue; /* as cells_build numbers them */
+    double worst = 1;
+    for (size_t i = 0; i < width; i++)
+      worst = fmin(worst, f->quality[first + width * cell + i]);
+    cell++;
+    if (worst < good_worst)
+      p->weights[h] = p->weights[p->s->twins[h]] = p->weights[h] - 1;
+  }
+}
+
+/** One way, by all closures that suit the surface. */
+static hexcon_status try_way(hexcon_context *context, cell_problem *p, const attempt *way,
+                             hexcon_mesh *mesh, cell_filling *best) {
+  size_t layers = (size_t)p->options->layers + way->more_layers;
+  bool meshes_inside = p->options->tetrahedralise != NULL;
+  if (way->pair_anew && best->points)
+    keep_apart(p, best);
+  hexcon_status status = HEXCON_OK;
+  if (!p->cells.hexes || way->pair_anew || layers != p->cells.layers)
+    status = cell_problem_build_cells(context, p, layers);
+  if (!status && meshes_inside)
+    status = try_closure(context, p, way, CLOSURE_TETRAHEDRA, mesh, best);
+  bool star =
+      !meshes_inside || !best->points || best->inverted > 0 || p->s->quad_count <= STAR_QUADS;
+  if (!status && star && !p->no_center)
+    status = try_closure(context, p, way, CLOSURE_STAR, mesh, best);
+  return status;
+}
+
+/** As they lie in the mesh, from outside to inside. */
+static void note_stages(const cell_problem *p, const cell_filling *f, hexcon_mesh *mesh) {
+  size_t layers = f->layers * p->s->quad_count,
+         cells = p->s->quad_count / 2 * p->cells.domino->hex_count;
+  mesh_note_hexes(mesh, HEXES_OF_LAYERS, layers);
+  mesh_note_hexes(mesh, HEXES_OF_CELLS, cells);
+  mesh_note_hexes(mesh, f->closure == CLOSURE_STAR ? HEXES_OF_STAR : HEXES_OF_TETRAHEDRA,
+                  f->hex_count - layers - cells);
+}
+
+static void hand_over(const cell_problem *p, const cell_filling *f, hexcon_mesh *mesh) {
+  mesh->points = f->points;
+  mesh->hexes = f->hexes;
+  mesh->quality = f->quality;
+  mesh->point_count = f->point_count;
+  mesh->hex_count = f->hex_count;
+  mesh->order = 1;
+  mesh->bound = p->bound;
+  mesh_note(mesh, "pairs", (double)p->s->quad_count / 2);
+  mesh_note(mesh, "layers", (double)f->layers);
+  mesh_note(mesh, "cell thickness", f->thickness);
+  mesh_note(mesh, "tetrahedra", (double)f->tetrahedron_count);
+  note_stages(p, f, mesh);
+  mesh_note(mesh, "hexes per quad", (double)f->hex_count / (double)p->s->quad_count);
+  mesh_note(mesh, "optimisation rounds", (double)f->rounds);
+  mesh_note(mesh, "surface bound", p->bound);
+}
+
+hexcon_status mesh_cells(hexcon_context *context, const surface *s,
+                         const hexcon_mesh_options *options, hexcon_mesh *mesh) {
+  cell_problem p = {0};
+  cell_filling best = {0};
+  double start = mesh_clock();
+  hexcon_status status = prepare(context, s, options, &p);
+  size_t tried = 0;
+  for (; !status && tried < ATTEMPTS && !is_good(&p, &best); tried++) {
+    if (tried >= FOR_QUALITY && best.points && best.inverted == 0)
+      break;
+    status = try_way(context, &p, &attempts[tried], mesh, &best);
+  }
+  mesh_note_seconds(mesh, "cells", start);
+  start = mesh_clock();
+  if (!status)
+    status = check_found(context, &best);
+  if (!status)
+    status = polish(context, &p, &best);
+  status = mesh_settle(context, status, best.points, mesh);
+  mesh_note_seconds(mesh, "optimisation", start);
+  if (!status) {
+    mesh_note(mesh, "attempts", (double)tried);
+    hand_over(&p, &best, mesh);
+  } else {
+    cell_filling_free(context, &best);
+  }
+  cell_problem_free(context, &p);
+  return status;
+}

@@ -1,0 +1,209 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+#include "mesh_smallest.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "construct/small_fillings.h"
+#include "hexmesh/scaled_jacobian.h"
+#include "shape/improve/improve.h"
+#include "shape/place/model_placement.h"
+#include "solve/common/quality_bound.h"
+#include "surface/corner_angles.h"
+#include "verify/jacobian_sign.h"
+
+/** Ways to a first placement, in the order in which they are tried while hexes are not positive. */
+typedef enum small_way { BY_HOMOTOPY, BY_AFFINE_MAP, BY_MEANS, SMALL_WAYS } small_way;
+static const char *const way_names[] = {"homotopy", "affine map", "means"};
+
+void small_mesh_free(hexcon_context *context, small_mesh *m) {
+  context_free(context, m->points);
+  context_free(context, m->hexes);
+  *m = (small_mesh){0};
+}
+
+static void measure(small_mesh *m) {
+  m->inverted = 0;
+  m->worst = 1;
+  m->mean = 0;
+  for (size_t h = 0; h < m->hex_count; h++) {
+    const double quality = scaled_jacobian(m->points, m->hexes + 8 * h);
+    m->inverted += prove_jacobian_sign(m->points, m->hexes + 8 * h) != JACOBIAN_POSITIVE;
+    m->worst = fmin(m->worst, quality);
+    m->mean += quality / (double)m->hex_count;
+  }
+}
+
+/** A copy of the filling's hexes and the surface's points, inner ones not placed. */
+static hexcon_status copy_topology(hexcon_context *context, const surface *s,
+                                   const small_filling *filling, small_mesh *out) {
+  *out = (small_mesh){.point_count = filling->point_count, .hex_count = filling->hex_count};
+  out->points = context_allocate(context, out->point_count, 3 * sizeof *out->points);
+  out->hexes = context_allocate(context, out->hex_count, 8 * sizeof *out->hexes);
+  if (!out->points || !out->hexes)
+    return HEXCON_OUT_OF_MEMORY;
+  memcpy(out->points, s->points, s->point_count * 3 * sizeof *out->points);
+  memcpy(out->hexes, filling->hexes, out->hex_count * 8 * sizeof *out->hexes);
+  return HEXCON_OK;
+}
+
+static hexcon_status place(hexcon_context *context, const surface *s, const small_filling *filling,
+                           small_way way, small_mesh *m) {
+  const placed_mesh placed = {s->point_count, m->point_count, m->hex_count, m->hexes, m->points};
+  bool arrived;
+  m->way = way_names[way];
+  if (way == BY_HOMOTOPY)
+    return model_placement_homotopy(context, &placed, filling->places, &arrived);
+  if (way == BY_AFFINE_MAP)
+    model_placement_affine(&placed, filling->places);
+  else
+    mean_placement(&placed);
+  return HEXCON_OK;
+}
+
+static hexcon_status improve(hexcon_context *context, const surface *s, int threads,
+                             small_mesh *m) {
+  const hexcon_optimize_options options = {.threads = threads, .mean_passes = 2};
+  uint8_t *fixed = context_allocate_zeroed(context, m->point_count, sizeof *fixed);
+  if (!fixed)
+    return HEXCON_OUT_OF_MEMORY;
+  memset(fixed, 1, s->point_count);
+  hexcon_status status = improve_mesh(context, m->points, m->point_count, m->hexes, m->hex_count,
+                                      fixed, &options, NULL);
+  context_free(context, fixed);
+  measure(m);
+  return status;
+}
+
+static bool is_better(const small_mesh *a, const small_mesh *b) {
+  if (!b->points || a->inverted != b->inverted)
+    return !b->points || a->inverted < b->inverted;
+  return a->worst > b->worst;
+}
+
+static hexcon_status try_way(hexcon_context *context, const surface *s,
+                             const small_filling *filling, small_way way, int threads,
+                             small_mesh *best) {
+  small_mesh m = {0};
+  hexcon_status status = copy_topology(context, s, filling, &m);
+  if (!status)
+    status = place(context, s, filling, way, &m);
+  bool placed = !status;
+  if (placed)
+    status = improve(context, s, threads, &m);
+  if (placed && mesh_stop(context, status) && is_better(&m, best)) {
+    const small_mesh worse = *best;
+    *best = m;
+    m = worse;
+  }
+  small_mesh_free(context, &m);
+  return status;
+}
+
+/** How well a filling suits the surface, turned as it is. */
+typedef struct fitness {
+  double bound;  /**< no higher worst scaled Jacobian, wherever the inner points are */
+  double misfit; /**< of the shape in which it is known to be good */
+} fitness;
+
+static hexcon_status find_fitness(hexcon_context *context, const surface *s,
+                                  const small_filling *filling, fitness *out) {
+  double *points = context_allocate(context, filling->point_count, 3 * sizeof *points);
+  if (!points)
+    return HEXCON_OUT_OF_MEMORY;
+  const placed_mesh placed = {s->point_count, filling->point_count, filling->hex_count,
+                              filling->hexes, points};
+  memcpy(points, s->points, 3 * s->point_count * sizeof *points);
+  model_placement_affine(&placed, filling->places); /* the bound looks at sizes of whole hexes */
+  hexcon_status status =
+      quality_bound(context, s, points, filling->hexes, filling->hex_count, &out->bound);
+  out->misfit = model_placement_misfit(s->points, s->point_count, filling->places);
+  context_free(context, points);
+  return status;
+}
+
+static bool is_fitter(fitness a, fitness b) {
+  const double slack = 1e-6; /* symmetric ones differ by rounding */
+  if (fabs(a.bound - b.bound) > slack)
+    return a.bound > b.bound;
+  return a.misfit < (1 - slack) * b.misfit;
+}
+
+/** Of the class's symmetries one that puts no two quads of a flat side on one hex, if there is, and
+ * no sharp corners; the first of equals. */
+static hexcon_status choose_filling(hexcon_context *context, const surface *s, small_filling *out) {
+  small_class found;
+  fitness best = {0};
+  *out = (small_filling){0};
+  hexcon_status status = small_class_find(context, s, &small_fillings_smallest, &found);
+  if (!status)
+    status = small_filling_read(context, s, &found, 0, out);
+  if (!status)
+    status = find_fitness(context, s, out, &best);
+  for (size_t walk = 1; !status && walk < found.walk_count; walk++) {
+    small_filling filling;
+    fitness here = best;
+    status = small_filling_read(context, s, &found, walk, &filling);
+    if (!status)
+      status = find_fitness(context, s, &filling, &here);
+    if (!status && is_fitter(here, best)) {
+      const small_filling worse = *out;
+      *out = filling;
+      filling = worse;
+      best = here;
+    }
+    small_filling_free(context, &filling);
+  }
+  return status;
+}
+
+hexcon_status small_mesh_build(hexcon_context *context, const surface *s, int threads,
+                               small_mesh *out) {
+  small_filling filling;
+  *out = (small_mesh){0};
+  hexcon_status status = choose_filling(context, s, &filling);
+  for (int way = 0; !status && way < SMALL_WAYS && (!out->points || out->inverted > 0); way++)
+    if (way != BY_HOMOTOPY || filling.certified)
+      status = try_way(context, s, &filling, (small_way)way, threads, out);
+  small_filling_free(context, &filling);
+  return status;
+}
+
+/** What the surface's own corners allow: for the words where the mesh cannot be certified. */
+static double surface_bound(const surface *s) {
+  double bound = 1;
+  for (int32_t h = 0; h < (int32_t)(4 * s->quad_count); h++)
+    bound = fmin(bound, fabs(sin(surface_corner_angle(s, h))));
+  return bound;
+}
+
+static void hand_over(const surface *s, small_mesh *m, hexcon_mesh *mesh) {
+  char line[160];
+  (void)snprintf(line, sizeof line,
+                 "points placed by %s: %zu hexes, %zu not positive, scaled Jacobian min %.4f, mean "
+                 "%.4f",
+                 m->way, m->hex_count, m->inverted, m->worst, m->mean);
+  mesh_log(mesh, line);
+  mesh->points = m->points;
+  mesh->hexes = m->hexes;
+  mesh->point_count = m->point_count;
+  mesh->hex_count = m->hex_count;
+  mesh->order = 1;
+  mesh->bound = surface_bound(s);
+  mesh_note(mesh, "hexes per quad", (double)m->hex_count / (double)s->quad_count);
+  *m = (small_mesh){0};
+}
+
+hexcon_status mesh_smallest(hexcon_context *context, const surface *s,
+                            const hexcon_mesh_options *options, hexcon_mesh *mesh) {
+  small_mesh made;
+  const double start = mesh_clock();
+  hexcon_status status = small_mesh_build(context, s, options->threads, &made);
+  status = mesh_settle(context, status, made.points && made.inverted == 0, mesh);
+  if (!status)
+    hand_over(s, &made, mesh);
+  small_mesh_free(context, &made);
+  mesh_note_seconds(mesh, "smallest", start);
+  return status;
+}
