@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "solve/common/filled_mesh.h"
 #include "solve/methods.h"
 
 /** A method with the options of one of its tries. */
@@ -17,8 +18,8 @@ typedef struct candidate {
 /** As good as the surface allows is good. */
 static const double near_the_bound = 0.8;
 
-/** Differences below this are none; a worst scaled Jacobian above the second is as good as any. */
-static const double clearly = 0.05, as_good_as_any = 0.3;
+static const mesh_taste preference = {
+    .enough = 0.3, .clearly = 0.05, .clear_mean = 0.05, .fewer = true};
 
 static double worst_of(const hexcon_mesh *mesh) {
   double worst = 1;
@@ -34,15 +35,17 @@ static double mean_of(const hexcon_mesh *mesh) {
   return mean;
 }
 
-/** Certified before not; then the worst scaled Jacobian, the mean, the size. */
+/** What is not certified counts as inverted. */
+static mesh_worth worth_of(const hexcon_mesh *mesh) {
+  return (mesh_worth){mesh->certificate.certified ? 0 : 1, mesh->hex_count, worst_of(mesh),
+                      mean_of(mesh)};
+}
+
 static bool is_better(const hexcon_mesh *a, const hexcon_mesh *b) {
-  if (!b->hexes || a->certificate.certified != b->certificate.certified)
-    return !b->hexes || a->certificate.certified;
-  double worst = fmin(worst_of(a), as_good_as_any) - fmin(worst_of(b), as_good_as_any);
-  double mean = mean_of(a) - mean_of(b);
-  if (fabs(worst) > clearly)
-    return worst > 0;
-  return fabs(mean) > clearly ? mean > 0 : a->hex_count < b->hex_count;
+  if (!b->hexes)
+    return true;
+  mesh_worth one = worth_of(a), other = worth_of(b);
+  return mesh_worth_exceeds(&one, &other, &preference);
 }
 
 /** Whether a fault only says that the method is not for this surface. */

@@ -7,13 +7,6 @@
 #include "shape/offset/inner_surface.h"
 #include "shape/place/cell_placement.h"
 
-void cell_filling_free(hexcon_context *context, cell_filling *f) {
-  context_free(context, f->points);
-  context_free(context, f->quality);
-  context_free(context, f->hexes);
-  memset(f, 0, sizeof *f);
-}
-
 /* ---------------------------------------------------------------------------------- placement */
 
 /** Levels of layers lie evenly between the surface and its inner copy; a cell is deeper. */
@@ -101,20 +94,17 @@ static hexcon_status assemble(hexcon_context *context, const cell_problem *p, co
                               const closure *c, const diced_complex *diced, cell_filling *f) {
   const cell_complex *cells = &p->cells;
   size_t first_mean = cells->point_count + c->point_count;
-  f->point_count = first_mean + diced->point_count;
-  f->hex_count = cells->hex_count + diced->hex_count;
-  f->points = context_allocate(context, f->point_count, 3 * sizeof *f->points);
-  f->hexes = context_allocate(context, f->hex_count, 8 * sizeof *f->hexes);
-  f->quality = context_allocate(context, f->hex_count, sizeof *f->quality);
-  if (!f->points || !f->hexes || !f->quality)
-    return HEXCON_OUT_OF_MEMORY;
-  memcpy(f->points, placed, 3 * cells->point_count * sizeof *f->points);
-  memcpy(f->points + 3 * cells->point_count, c->points, 3 * c->point_count * sizeof *f->points);
-  hexcon_status status =
-      place_means(context, diced->means, diced->point_count, first_mean, f->points);
-  memcpy(f->hexes, cells->hexes, 8 * cells->hex_count * sizeof *f->hexes);
-  memcpy(f->hexes + 8 * cells->hex_count, diced->hexes, 8 * diced->hex_count * sizeof *f->hexes);
-  return status ? status : context_after(context, f->hex_count);
+  filled_mesh *m = &f->mesh;
+  hexcon_status status = filled_mesh_new(context, first_mean + diced->point_count,
+                                         cells->hex_count + diced->hex_count, m);
+  if (status)
+    return status;
+  memcpy(m->points, placed, 3 * cells->point_count * sizeof *m->points);
+  memcpy(m->points + 3 * cells->point_count, c->points, 3 * c->point_count * sizeof *m->points);
+  status = place_means(context, diced->means, diced->point_count, first_mean, m->points);
+  memcpy(m->hexes, cells->hexes, 8 * cells->hex_count * sizeof *m->hexes);
+  memcpy(m->hexes + 8 * cells->hex_count, diced->hexes, 8 * diced->hex_count * sizeof *m->hexes);
+  return status ? status : context_after(context, m->hex_count);
 }
 
 static hexcon_status close_inside(hexcon_context *context, const cell_problem *p, closure_kind kind,

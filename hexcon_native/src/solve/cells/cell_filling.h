@@ -5,28 +5,25 @@
 
 #include "cell_problem.h"
 #include "solve/common/closure.h"
+#include "solve/common/filled_mesh.h"
 
 /** A filled surface and what it is worth. */
 typedef struct cell_filling {
-  double *points, *quality;
-  int32_t *hexes;
-  size_t point_count, hex_count, tetrahedron_count, rounds, layers;
+  filled_mesh mesh; /* without points: no closure was found */
+  size_t tetrahedron_count, layers;
   size_t pairing; /* the problem's number of it */
   closure_kind closure;
   double thickness;
-  size_t inverted; /* not proved positive */
-  double worst, mean;
 } cell_filling;
 
 /**
  * Fill with the problem's cells, of one thickness and with one closure.
  * @param thickness  of the cells, in lengths of the edges above
  * @param f          points, hexes and counts are filled; stays without points where no closure was
- *                   found; free with cell_filling_free
+ *                   found; free its mesh with filled_mesh_free
  * Errors: OUT_OF_MEMORY, TOO_LARGE, CANCELLED. Linear.
  */
 hexcon_status cell_filling_build(hexcon_context *context, const cell_problem *p, double thickness,
                                  closure_kind kind, cell_filling *f);
-void cell_filling_free(hexcon_context *context, cell_filling *f);
 
 #endif

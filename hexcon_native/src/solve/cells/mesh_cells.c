@@ -6,11 +6,8 @@
 #include <string.h>
 
 #include "cell_filling.h"
-#include "hexmesh/scaled_jacobian.h"
-#include "shape/improve/improve.h"
 #include "surface/corner_angles.h"
 #include "surface/star_center.h"
-#include "verify/jacobian_sign.h"
 
 /** One way to try. */
 typedef struct attempt {
@@ -74,7 +71,7 @@ static hexcon_status prepare(hexcon_context *context, const surface *s,
 }
 
 static hexcon_status check_found(hexcon_context *context, const cell_filling *best) {
-  if (best->points)
+  if (best->mesh.points)
     return HEXCON_OK;
   return context_fail(
       context, HEXCON_NOT_STAR_SHAPED,
@@ -84,39 +81,11 @@ static hexcon_status check_found(hexcon_context *context, const cell_filling *be
 
 /* ------------------------------------------------------------------------------------ improving */
 
-static hexcon_status measure(hexcon_context *context, cell_filling *f) {
-  hexcon_status status = HEXCON_OK;
-  f->inverted = 0;
-  f->worst = 1;
-  f->mean = 0;
-  for (size_t h = 0; !status && h < f->hex_count; h++) {
-    bool positive = prove_jacobian_sign(f->points, f->hexes + 8 * h) == JACOBIAN_POSITIVE;
-    f->quality[h] = scaled_jacobian(f->points, f->hexes + 8 * h);
-    f->inverted += !positive;
-    f->worst = fmin(f->worst, f->quality[h]);
-    f->mean += f->quality[h] / (double)f->hex_count;
-    status = context_pass(context, h);
-  }
-  return status;
-}
-
-static hexcon_status improve(hexcon_context *context, const cell_problem *p,
-                             const hexcon_optimize_options *options, cell_filling *f) {
-  uint8_t *fixed = context_allocate_zeroed(context, f->point_count, sizeof *fixed);
-  if (!fixed)
-    return HEXCON_OUT_OF_MEMORY;
-  memset(fixed, 1, p->s->point_count);
-  size_t rounds = 0;
-  hexcon_status status = improve_mesh(context, f->points, f->point_count, f->hexes, f->hex_count,
-                                      fixed, options, &rounds);
-  f->rounds += rounds;
-  context_free(context, fixed);
-  hexcon_status measured = mesh_stop(context, status) ? measure(context, f) : HEXCON_OK;
-  return measured ? measured : status;
-}
+static const mesh_taste preference = {.enough = 0.15, .clearly = 1e-3}; /* 1.5 good_worst */
 
 static bool is_good(const cell_problem *p, const cell_filling *f) {
-  return f->points && f->inverted == 0 && f->worst >= fmin(good_worst, near_the_bound * p->bound);
+  return f->mesh.points && f->mesh.inverted == 0 &&
+         f->mesh.worst >= fmin(good_worst, near_the_bound * p->bound);
 }
 
 /** Untangle, raise the mean, which leaves few bad hexes, then the worst of those: enough to see
@@ -129,11 +98,11 @@ static hexcon_status improve_roughly(hexcon_context *context, const cell_problem
       .threads = p->options->threads, .target = 1.5 * good_worst, .max_rounds = 3};
   hexcon_optimize_options longer = {
       .threads = p->options->threads, .target = 1.2 * good_worst, .max_rounds = 6};
-  hexcon_status status = improve(context, p, &untangling, f);
-  if (!status && f->inverted == 0)
-    status = improve(context, p, &rough, f);
-  if (!status && f->inverted == 0 && !is_good(p, f))
-    status = improve(context, p, &longer, f);
+  hexcon_status status = filled_mesh_improve(context, p->s->point_count, &untangling, &f->mesh);
+  if (!status && f->mesh.inverted == 0)
+    status = filled_mesh_improve(context, p->s->point_count, &rough, &f->mesh);
+  if (!status && f->mesh.inverted == 0 && !is_good(p, f))
+    status = filled_mesh_improve(context, p->s->point_count, &longer, &f->mesh);
   return status;
 }
 
@@ -142,29 +111,23 @@ enum { SMALL_MESH = 12000 };
 
 /** The best filling's worst hexes, if that does not take long, then its mean. */
 static hexcon_status polish(hexcon_context *context, const cell_problem *p, cell_filling *f) {
-  bool small = f->hex_count <= SMALL_MESH;
+  bool small = f->mesh.hex_count <= SMALL_MESH;
   hexcon_optimize_options options = {.threads = p->options->threads,
                                      .target = small ? 2.5 * good_worst : 1e-6,
                                      .max_rounds = 5,
                                      .mean_passes = 2};
-  return f->inverted == 0 ? improve(context, p, &options, f) : HEXCON_OK;
-}
-
-static bool is_better(const cell_filling *a, const cell_filling *b) {
-  if (!b->points || a->inverted != b->inverted)
-    return !b->points || a->inverted < b->inverted;
-  double part = fmin(a->worst, 1.5 * good_worst) - fmin(b->worst, 1.5 * good_worst);
-  return fabs(part) > 1e-3 ? part > 0 : a->mean > b->mean;
+  return f->mesh.inverted == 0 ? filled_mesh_improve(context, p->s->point_count, &options, &f->mesh)
+                               : HEXCON_OK;
 }
 
 static const char *const closure_names[] = {"star", "tetrahedra"};
 
 static void log_attempt(hexcon_mesh *mesh, const attempt *way, const cell_filling *f) {
   char line[256], found[128] = "no tetrahedra found";
-  if (f->points)
+  if (f->mesh.points)
     (void)snprintf(found, sizeof found,
-                   "%zu hexes, %zu not positive, scaled Jacobian min %.4f, mean %.4f", f->hex_count,
-                   f->inverted, f->worst, f->mean);
+                   "%zu hexes, %zu not positive, scaled Jacobian min %.4f, mean %.4f",
+                   f->mesh.hex_count, f->mesh.inverted, f->mesh.worst, f->mesh.mean);
   (void)snprintf(line, sizeof line, "%s, thickness %.2f, %zu layers%s: %s",
                  closure_names[f->closure], way->thickness, f->layers,
                  way->pair_anew ? ", paired anew" : "", found);
@@ -179,17 +142,18 @@ static hexcon_status try_closure(hexcon_context *context, const cell_problem *p,
                     .layers = p->cells.layers,
                     .pairing = p->pairing};
   hexcon_status status = cell_filling_build(context, p, way->thickness, kind, &f);
-  bool built = !status && f.points;
+  bool built = !status && f.mesh.points;
   if (built)
     status = improve_roughly(context, p, &f);
   if (!status)
     log_attempt(mesh, way, &f);
-  if (built && mesh_stop(context, status) && is_better(&f, best)) {
+  if (built && mesh_stop(context, status) &&
+      filled_mesh_is_better(&f.mesh, &best->mesh, &preference)) {
     cell_filling worse = *best;
     *best = f;
     f = worse;
   }
-  cell_filling_free(context, &f);
+  filled_mesh_free(context, &f.mesh);
   return status;
 }
 
@@ -205,7 +169,7 @@ static void keep_apart(cell_problem *p, const cell_filling *f) {
       continue; /* as cells_build numbers them */
     double worst = 1;
     for (size_t i = 0; i < width; i++)
-      worst = fmin(worst, f->quality[first + width * cell + i]);
+      worst = fmin(worst, f->mesh.quality[first + width * cell + i]);
     cell++;
     if (worst < good_worst)
       p->weights[h] = p->weights[p->s->twins[h]] = p->weights[h] - 1;
@@ -217,15 +181,15 @@ static hexcon_status try_way(hexcon_context *context, cell_problem *p, const att
                              hexcon_mesh *mesh, cell_filling *best) {
   size_t layers = (size_t)p->options->layers + way->more_layers;
   bool meshes_inside = p->options->tetrahedralise != NULL;
-  if (way->pair_anew && best->points)
+  if (way->pair_anew && best->mesh.points)
     keep_apart(p, best);
   hexcon_status status = HEXCON_OK;
   if (!p->cells.hexes || way->pair_anew || layers != p->cells.layers)
     status = cell_problem_build_cells(context, p, layers);
   if (!status && meshes_inside)
     status = try_closure(context, p, way, CLOSURE_TETRAHEDRA, mesh, best);
-  bool star =
-      !meshes_inside || !best->points || best->inverted > 0 || p->s->quad_count <= STAR_QUADS;
+  bool star = !meshes_inside || !best->mesh.points || best->mesh.inverted > 0 ||
+              p->s->quad_count <= STAR_QUADS;
   if (!status && star && !p->no_center)
     status = try_closure(context, p, way, CLOSURE_STAR, mesh, best);
   return status;
@@ -238,25 +202,15 @@ static void note_stages(const cell_problem *p, const cell_filling *f, hexcon_mes
   mesh_note_hexes(mesh, HEXES_OF_LAYERS, layers);
   mesh_note_hexes(mesh, HEXES_OF_CELLS, cells);
   mesh_note_hexes(mesh, f->closure == CLOSURE_STAR ? HEXES_OF_STAR : HEXES_OF_TETRAHEDRA,
-                  f->hex_count - layers - cells);
+                  f->mesh.hex_count - layers - cells);
 }
 
-static void hand_over(const cell_problem *p, const cell_filling *f, hexcon_mesh *mesh) {
-  mesh->points = f->points;
-  mesh->hexes = f->hexes;
-  mesh->quality = f->quality;
-  mesh->point_count = f->point_count;
-  mesh->hex_count = f->hex_count;
-  mesh->order = 1;
-  mesh->bound = p->bound;
+static void tell(const cell_problem *p, const cell_filling *f, hexcon_mesh *mesh) {
   mesh_note(mesh, "pairs", (double)p->s->quad_count / 2);
   mesh_note(mesh, "layers", (double)f->layers);
   mesh_note(mesh, "cell thickness", f->thickness);
   mesh_note(mesh, "tetrahedra", (double)f->tetrahedron_count);
   note_stages(p, f, mesh);
-  mesh_note(mesh, "hexes per quad", (double)f->hex_count / (double)p->s->quad_count);
-  mesh_note(mesh, "optimisation rounds", (double)f->rounds);
-  mesh_note(mesh, "surface bound", p->bound);
 }
 
 hexcon_status mesh_cells(hexcon_context *context, const surface *s,
@@ -267,7 +221,7 @@ hexcon_status mesh_cells(hexcon_context *context, const surface *s,
   hexcon_status status = prepare(context, s, options, &p);
   size_t tried = 0;
   for (; !status && tried < ATTEMPTS && !is_good(&p, &best); tried++) {
-    if (tried >= FOR_QUALITY && best.points && best.inverted == 0)
+    if (tried >= FOR_QUALITY && best.mesh.points && best.mesh.inverted == 0)
       break;
     status = try_way(context, &p, &attempts[tried], mesh, &best);
   }
@@ -277,13 +231,14 @@ hexcon_status mesh_cells(hexcon_context *context, const surface *s,
     status = check_found(context, &best);
   if (!status)
     status = polish(context, &p, &best);
-  status = mesh_settle(context, status, best.points, mesh);
+  status = mesh_settle(context, status, best.mesh.points, mesh);
   mesh_note_seconds(mesh, "optimisation", start);
   if (!status) {
     mesh_note(mesh, "attempts", (double)tried);
-    hand_over(&p, &best, mesh);
+    tell(&p, &best, mesh);
+    filled_mesh_hand_over(&best.mesh, p.bound, s->quad_count, mesh);
   } else {
-    cell_filling_free(context, &best);
+    filled_mesh_free(context, &best.mesh);
   }
   cell_problem_free(context, &p);
   return status;

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "hexmesh/scaled_jacobian.h"
-#include "mesh_result.h"
 #include "shape/improve/improve.h"
 #include "verify/jacobian_sign.h"
 
@@ -39,6 +38,50 @@ hexcon_status filled_mesh_measure(hexcon_context *context, filled_mesh *mesh) {
     status = context_pass(context, h);
   }
   return status;
+}
+
+bool mesh_worth_exceeds(const mesh_worth *a, const mesh_worth *b, const mesh_taste *taste) {
+  if (a->inverted != b->inverted)
+    return a->inverted < b->inverted;
+  double worst = fmin(a->worst, taste->enough) - fmin(b->worst, taste->enough);
+  if (fabs(worst) > taste->clearly)
+    return worst > 0;
+  if (fabs(a->mean - b->mean) > taste->clear_mean)
+    return a->mean > b->mean;
+  return taste->fewer && a->hex_count < b->hex_count;
+}
+
+static mesh_worth worth_of(const filled_mesh *mesh) {
+  return (mesh_worth){mesh->inverted, mesh->hex_count, mesh->worst, mesh->mean};
+}
+
+bool filled_mesh_is_better(const filled_mesh *a, const filled_mesh *b, const mesh_taste *taste) {
+  mesh_worth one = worth_of(a), other = worth_of(b);
+  return !b->points || mesh_worth_exceeds(&one, &other, taste);
+}
+
+void filled_mesh_keep_better(hexcon_context *context, filled_mesh *made, filled_mesh *best,
+                             const mesh_taste *taste) {
+  if (filled_mesh_is_better(made, best, taste)) {
+    filled_mesh worse = *best;
+    *best = *made;
+    *made = worse;
+  }
+  filled_mesh_free(context, made);
+}
+
+void filled_mesh_hand_over(filled_mesh *from, double bound, size_t quad_count, hexcon_mesh *mesh) {
+  mesh->points = from->points;
+  mesh->hexes = from->hexes;
+  mesh->quality = from->quality;
+  mesh->point_count = from->point_count;
+  mesh->hex_count = from->hex_count;
+  mesh->order = 1;
+  mesh->bound = bound;
+  mesh_note(mesh, "hexes per quad", (double)from->hex_count / (double)quad_count);
+  mesh_note(mesh, "optimisation rounds", (double)from->rounds);
+  mesh_note(mesh, "surface bound", bound);
+  memset(from, 0, sizeof *from);
 }
 
 hexcon_status filled_mesh_improve(hexcon_context *context, size_t fixed_count,

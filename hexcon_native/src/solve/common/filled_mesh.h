@@ -3,7 +3,7 @@
 #ifndef HEXCON_SOLVE_COMMON_FILLED_MESH_H
 #define HEXCON_SOLVE_COMMON_FILLED_MESH_H
 
-#include "base/context.h"
+#include "mesh_result.h"
 
 typedef struct filled_mesh {
   double *points, *quality;
@@ -22,6 +22,36 @@ void filled_mesh_free(hexcon_context *context, filled_mesh *mesh);
 
 /** Find the quality of every hex, the worst and the mean, and how many are not proved positive. */
 hexcon_status filled_mesh_measure(hexcon_context *context, filled_mesh *mesh);
+
+/** What makes one mesh better than another, after fewer inverted hexes. */
+typedef struct mesh_taste {
+  double enough;     /**< a worst scaled Jacobian above this counts as this */
+  double clearly;    /**< the worst decides if they differ by more .. */
+  double clear_mean; /**< .. then the mean if those do; INFINITY: it does not count .. */
+  bool fewer;        /**< .. then fewer hexes are better; else neither is */
+} mesh_taste;
+
+/** What is compared. */
+typedef struct mesh_worth {
+  size_t inverted, hex_count;
+  double worst, mean;
+} mesh_worth;
+
+bool mesh_worth_exceeds(const mesh_worth *a, const mesh_worth *b, const mesh_taste *taste);
+
+/** Any mesh is better than one without points. */
+bool filled_mesh_is_better(const filled_mesh *a, const filled_mesh *b, const mesh_taste *taste);
+
+/** Keep the better one in `best`, and free the other; `made` is empty then. */
+void filled_mesh_keep_better(hexcon_context *context, filled_mesh *made, filled_mesh *best,
+                             const mesh_taste *taste);
+
+/**
+ * Give the arrays to the result, with the figures that every method has; the mesh is empty then.
+ * @param bound       of the worst scaled Jacobian that this topology can have on this surface
+ * @param quad_count  of the surface
+ */
+void filled_mesh_hand_over(filled_mesh *from, double bound, size_t quad_count, hexcon_mesh *mesh);
 
 /** Improve it as improve_mesh does, the first fixed_count points at rest, and measure it. */
 hexcon_status filled_mesh_improve(hexcon_context *context, size_t fixed_count,

@@ -39,6 +39,9 @@ static const double good_worst_block = 0.08;
 /** .. up to here their hexes are raised. */
 static const double wanted_worst_block = 0.15;
 
+static const mesh_taste preference = {
+    .enough = 0.2 /* good_worst */, .clearly = 1e-3, .clear_mean = INFINITY, .fewer = true};
+
 static double good_enough(const diced_problem *p) {
   double good = p->coarse.quad_count > 0 ? good_worst_block : good_worst;
   return fmin(good, near_the_bound * p->bound);
@@ -46,13 +49,6 @@ static double good_enough(const diced_problem *p) {
 
 static bool is_good(const diced_problem *p, const diced_filling *f) {
   return f->mesh.points && f->mesh.inverted == 0 && f->mesh.worst >= good_enough(p);
-}
-
-static bool is_better(const filled_mesh *a, const filled_mesh *b) {
-  if (!b->points || a->inverted != b->inverted)
-    return !b->points || a->inverted < b->inverted;
-  double part = fmin(a->worst, good_worst) - fmin(b->worst, good_worst);
-  return fabs(part) > 1e-3 ? part > 0 : a->hex_count < b->hex_count;
 }
 
 /* ------------------------------------------------------------------------------------- problem */
@@ -178,7 +174,8 @@ static hexcon_status try_closure(hexcon_context *context, const diced_problem *p
     status = improve_or_put_off(context, p, way, &f.mesh);
   if (!status)
     log_attempt(mesh, &f);
-  if (built && mesh_stop(context, status) && is_better(&f.mesh, &best->mesh)) {
+  if (built && mesh_stop(context, status) &&
+      filled_mesh_is_better(&f.mesh, &best->mesh, &preference)) {
     diced_filling worse = *best;
     *best = f;
     f = worse;
@@ -217,14 +214,7 @@ static hexcon_status try_reading(hexcon_context *context, const diced_problem *p
   return status;
 }
 
-static void hand_over(const diced_problem *p, const diced_filling *f, hexcon_mesh *mesh) {
-  mesh->points = f->mesh.points;
-  mesh->hexes = f->mesh.hexes;
-  mesh->quality = f->mesh.quality;
-  mesh->point_count = f->mesh.point_count;
-  mesh->hex_count = f->mesh.hex_count;
-  mesh->order = 1;
-  mesh->bound = p->bound;
+static void tell(const diced_filling *f, hexcon_mesh *mesh) {
   mesh_note(mesh, "coarse triangles", (double)f->triangle_count);
   mesh_note(mesh, "coarse quads", (double)f->quad_count);
   mesh_note(mesh, "tetrahedra", (double)f->tetrahedron_count);
@@ -234,9 +224,6 @@ static void hand_over(const diced_problem *p, const diced_filling *f, hexcon_mes
   mesh_note_hexes(mesh, f->block == DICED_GEODES ? HEXES_OF_GEODES : HEXES_OF_PYRAMIDS,
                   f->mesh.hex_count - inside);
   mesh_note_hexes(mesh, HEXES_OF_TETRAHEDRA, inside);
-  mesh_note(mesh, "hexes per quad", (double)f->mesh.hex_count / (double)p->s->quad_count);
-  mesh_note(mesh, "optimisation rounds", (double)f->mesh.rounds);
-  mesh_note(mesh, "surface bound", p->bound);
 }
 
 static hexcon_status check_found(hexcon_context *context, const diced_problem *p,
@@ -281,10 +268,11 @@ hexcon_status mesh_diced(hexcon_context *context, const surface *s,
     status = fill(context, &p, &ways, mesh, &best);
   status = mesh_settle(context, status, best.mesh.points && best.mesh.inverted == 0, mesh);
   mesh_note_seconds(mesh, "diced", start);
-  if (status)
-    filled_mesh_free(context, &best.mesh);
-  else
-    hand_over(&p, &best, mesh);
+  if (!status) {
+    tell(&best, mesh);
+    filled_mesh_hand_over(&best.mesh, p.bound, s->quad_count, mesh);
+  }
+  filled_mesh_free(context, &best.mesh);
   forget_reading(context, &p);
   coarse_ways_free(context, &ways);
   return status;

@@ -13,16 +13,19 @@ void core_filling_free(hexcon_context *context, core_filling *f) {
   memset(f, 0, sizeof *f);
 }
 
+static void take(filled_mesh *from, core_filling *out) {
+  *out = (core_filling){from->point_count, from->hex_count, from->points, from->hexes};
+  from->points = NULL;
+  from->hexes = NULL;
+}
+
 static hexcon_status fill_from_table(hexcon_context *context, const surface *core, int threads,
                                      core_filling *out) {
   small_mesh made;
   hexcon_status status = small_mesh_build(context, core, threads, &made);
-  if (!status) {
-    *out = (core_filling){made.point_count, made.hex_count, made.points, made.hexes};
-    made.points = NULL;
-    made.hexes = NULL;
-  }
-  small_mesh_free(context, &made);
+  if (!status)
+    take(&made.mesh, out);
+  filled_mesh_free(context, &made.mesh);
   return status;
 }
 
@@ -52,12 +55,9 @@ static hexcon_status fill_with_cells(hexcon_context *context, const surface *cor
     status = cell_problem_build_cells(context, &p, 1);
   if (!status)
     status = cell_filling_build(context, &p, thickness, kind, &f);
-  if (!status) {
-    *out = (core_filling){f.point_count, f.hex_count, f.points, f.hexes};
-    f.points = NULL;
-    f.hexes = NULL;
-  }
-  cell_filling_free(context, &f);
+  if (!status)
+    take(&f.mesh, out);
+  filled_mesh_free(context, &f.mesh);
   cell_problem_free(context, &p);
   return status;
 }

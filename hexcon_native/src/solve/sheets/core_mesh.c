@@ -69,12 +69,8 @@ static bool is_good(const core_mesh *m) {
          m->mesh.worst >= fmin(good_worst, near_the_bound * m->bound);
 }
 
-static bool is_better(const filled_mesh *a, const filled_mesh *b) {
-  if (!b->points || a->inverted != b->inverted)
-    return !b->points || a->inverted < b->inverted;
-  double part = fmin(a->worst, 1.5 * good_worst) - fmin(b->worst, 1.5 * good_worst);
-  return fabs(part) > 1e-3 ? part > 0 : a->mean > b->mean;
-}
+/** A worst above 1.5 good_worst counts as that. */
+static const mesh_taste preference = {.enough = 0.15, .clearly = 1e-3};
 
 /** Untangle, raise the mean, then the worst. */
 static hexcon_status improve(hexcon_context *context, const surface *s, int threads,
@@ -175,7 +171,8 @@ static hexcon_status try_way(hexcon_context *context, const surface *s,
     log_attempt(told, core, way, &made);
     best->attempt_count++;
   }
-  if (joined && mesh_stop(context, status) && is_better(&made, &best->mesh))
+  if (joined && mesh_stop(context, status) &&
+      filled_mesh_is_better(&made, &best->mesh, &preference))
     keep(core, filling.hex_count, &made, best);
   core_filling_free(context, &filling);
   filled_mesh_free(context, &made);

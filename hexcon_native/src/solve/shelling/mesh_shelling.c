@@ -33,7 +33,8 @@ static const double most_quads_seen = 3e8;
 static const double good_worst = 0.1, good_part = 0.6;
 
 /** Of two valid meshes, the one whose worst is better by this; else the smaller. */
-static const double clearly = 0.03;
+static const mesh_taste preference = {
+    .enough = 1, .clearly = 0.03, .clear_mean = INFINITY, .fewer = true};
 
 /** In mean edge lengths, in this order while hexes are inverted. */
 static const double thicknesses[] = {0.8, 0.5};
@@ -63,14 +64,6 @@ static hexcon_status find_space(hexcon_context *context, shelling *w) {
   return status;
 }
 
-static bool is_better(const filled_mesh *a, const filled_mesh *b) {
-  if (!b->points || a->inverted != b->inverted)
-    return !b->points || a->inverted < b->inverted;
-  if (fabs(a->worst - b->worst) > clearly)
-    return a->worst > b->worst;
-  return a->hex_count < b->hex_count;
-}
-
 static bool is_good(const shelling *w) {
   return w->best.points && w->best.inverted == 0 &&
          w->best.worst >= fmin(good_worst, good_part * w->bound);
@@ -82,7 +75,7 @@ static hexcon_status judge(hexcon_context *context, shelling *w, const rotation_
   const hexcon_optimize_options options = {.threads = w->options->threads, .mean_passes = 2};
   hexcon_status status = filled_mesh_improve(context, w->s->point_count, &options, made);
   w->mesh_count++;
-  if (!mesh_stop(context, status) || !is_better(made, &w->best))
+  if (!mesh_stop(context, status) || !filled_mesh_is_better(made, &w->best, &preference))
     return status;
   filled_mesh worse = w->best;
   w->best = *made;
@@ -167,23 +160,13 @@ static hexcon_status search_rotations(hexcon_context *context, shelling *w, doub
   return status;
 }
 
-static void hand_over(const shelling *w, hexcon_mesh *mesh) {
+static void tell(const shelling *w, hexcon_mesh *mesh) {
   const filled_mesh *f = &w->best;
   char line[200];
-  mesh->points = f->points;
-  mesh->hexes = f->hexes;
-  mesh->quality = f->quality;
-  mesh->point_count = f->point_count;
-  mesh->hex_count = f->hex_count;
-  mesh->order = 1;
-  mesh->bound = w->bound;
   mesh_note(mesh, "rotations", (double)w->rotations);
   mesh_note(mesh, "shells", (double)w->shells);
   mesh_note_hexes(mesh, HEXES_OF_SHELLS, f->outer_hexes);
   mesh_note_hexes(mesh, HEXES_OF_SHEETS_INSIDE, f->hex_count - f->outer_hexes);
-  mesh_note(mesh, "hexes per quad", (double)f->hex_count / (double)w->s->quad_count);
-  mesh_note(mesh, "optimisation rounds", (double)f->rounds);
-  mesh_note(mesh, "surface bound", w->bound);
   (void)snprintf(line, sizeof line,
                  "shelling: %zu edges rotated in %zu shells, then sheets: %zu hexes, %zu not "
                  "positive, scaled Jacobian min %.4f, mean %.4f; the best of %zu meshes",
@@ -219,10 +202,11 @@ hexcon_status mesh_shelling(hexcon_context *context, const surface *s,
                           "no set of rotated edges was found after which the dual loops can be "
                           "taken away: %zu were tried",
                           w.failure_count);
-  if (!status)
-    hand_over(&w, mesh);
-  else
-    filled_mesh_free(context, &w.best);
+  if (!status) {
+    tell(&w, mesh);
+    filled_mesh_hand_over(&w.best, w.bound, s->quad_count, mesh);
+  }
+  filled_mesh_free(context, &w.best);
   mesh_note_seconds(mesh, "shelling", start);
   return status;
 }

@@ -6,51 +6,31 @@
 #include <string.h>
 
 #include "construct/small_fillings.h"
-#include "hexmesh/scaled_jacobian.h"
-#include "shape/improve/improve.h"
 #include "shape/place/model_placement.h"
 #include "solve/common/quality_bound.h"
 #include "surface/corner_angles.h"
-#include "verify/jacobian_sign.h"
 
 /** Ways to a first placement, in the order in which they are tried while hexes are not positive. */
 typedef enum small_way { BY_HOMOTOPY, BY_AFFINE_MAP, BY_MEANS, SMALL_WAYS } small_way;
 static const char *const way_names[] = {"homotopy", "affine map", "means"};
 
-void small_mesh_free(hexcon_context *context, small_mesh *m) {
-  context_free(context, m->points);
-  context_free(context, m->hexes);
-  *m = (small_mesh){0};
-}
-
-static void measure(small_mesh *m) {
-  m->inverted = 0;
-  m->worst = 1;
-  m->mean = 0;
-  for (size_t h = 0; h < m->hex_count; h++) {
-    const double quality = scaled_jacobian(m->points, m->hexes + 8 * h);
-    m->inverted += prove_jacobian_sign(m->points, m->hexes + 8 * h) != JACOBIAN_POSITIVE;
-    m->worst = fmin(m->worst, quality);
-    m->mean += quality / (double)m->hex_count;
-  }
-}
-
 /** A copy of the filling's hexes and the surface's points, inner ones not placed. */
 static hexcon_status copy_topology(hexcon_context *context, const surface *s,
                                    const small_filling *filling, small_mesh *out) {
-  *out = (small_mesh){.point_count = filling->point_count, .hex_count = filling->hex_count};
-  out->points = context_allocate(context, out->point_count, 3 * sizeof *out->points);
-  out->hexes = context_allocate(context, out->hex_count, 8 * sizeof *out->hexes);
-  if (!out->points || !out->hexes)
-    return HEXCON_OUT_OF_MEMORY;
-  memcpy(out->points, s->points, s->point_count * 3 * sizeof *out->points);
-  memcpy(out->hexes, filling->hexes, out->hex_count * 8 * sizeof *out->hexes);
+  *out = (small_mesh){0};
+  filled_mesh *m = &out->mesh;
+  hexcon_status status = filled_mesh_new(context, filling->point_count, filling->hex_count, m);
+  if (status)
+    return status;
+  memcpy(m->points, s->points, s->point_count * 3 * sizeof *m->points);
+  memcpy(m->hexes, filling->hexes, m->hex_count * 8 * sizeof *m->hexes);
   return HEXCON_OK;
 }
 
 static hexcon_status place(hexcon_context *context, const surface *s, const small_filling *filling,
                            small_way way, small_mesh *m) {
-  const placed_mesh placed = {s->point_count, m->point_count, m->hex_count, m->hexes, m->points};
+  const placed_mesh placed = {s->point_count, m->mesh.point_count, m->mesh.hex_count, m->mesh.hexes,
+                              m->mesh.points};
   bool arrived;
   m->way = way_names[way];
   if (way == BY_HOMOTOPY)
@@ -62,42 +42,26 @@ static hexcon_status place(hexcon_context *context, const surface *s, const smal
   return HEXCON_OK;
 }
 
-static hexcon_status improve(hexcon_context *context, const surface *s, int threads,
-                             small_mesh *m) {
-  const hexcon_optimize_options options = {.threads = threads, .mean_passes = 2};
-  uint8_t *fixed = context_allocate_zeroed(context, m->point_count, sizeof *fixed);
-  if (!fixed)
-    return HEXCON_OUT_OF_MEMORY;
-  memset(fixed, 1, s->point_count);
-  hexcon_status status = improve_mesh(context, m->points, m->point_count, m->hexes, m->hex_count,
-                                      fixed, &options, NULL);
-  context_free(context, fixed);
-  measure(m);
-  return status;
-}
-
-static bool is_better(const small_mesh *a, const small_mesh *b) {
-  if (!b->points || a->inverted != b->inverted)
-    return !b->points || a->inverted < b->inverted;
-  return a->worst > b->worst;
-}
+static const mesh_taste preference = {.enough = 1, .clear_mean = INFINITY};
 
 static hexcon_status try_way(hexcon_context *context, const surface *s,
                              const small_filling *filling, small_way way, int threads,
                              small_mesh *best) {
+  const hexcon_optimize_options improvement = {.threads = threads, .mean_passes = 2};
   small_mesh m = {0};
   hexcon_status status = copy_topology(context, s, filling, &m);
   if (!status)
     status = place(context, s, filling, way, &m);
   bool placed = !status;
   if (placed)
-    status = improve(context, s, threads, &m);
-  if (placed && mesh_stop(context, status) && is_better(&m, best)) {
+    status = filled_mesh_improve(context, s->point_count, &improvement, &m.mesh);
+  if (placed && mesh_stop(context, status) &&
+      filled_mesh_is_better(&m.mesh, &best->mesh, &preference)) {
     const small_mesh worse = *best;
     *best = m;
     m = worse;
   }
-  small_mesh_free(context, &m);
+  filled_mesh_free(context, &m.mesh);
   return status;
 }
 
@@ -163,7 +127,8 @@ hexcon_status small_mesh_build(hexcon_context *context, const surface *s, int th
   small_filling filling;
   *out = (small_mesh){0};
   hexcon_status status = choose_filling(context, s, &filling);
-  for (int way = 0; !status && way < SMALL_WAYS && (!out->points || out->inverted > 0); way++)
+  for (int way = 0; !status && way < SMALL_WAYS && (!out->mesh.points || out->mesh.inverted > 0);
+       way++)
     if (way != BY_HOMOTOPY || filling.certified)
       status = try_way(context, s, &filling, (small_way)way, threads, out);
   small_filling_free(context, &filling);
@@ -178,21 +143,15 @@ static double surface_bound(const surface *s) {
   return bound;
 }
 
-static void hand_over(const surface *s, small_mesh *m, hexcon_mesh *mesh) {
+static void hand_over(const surface *s, small_mesh *made, hexcon_mesh *mesh) {
+  const filled_mesh *m = &made->mesh;
   char line[160];
   (void)snprintf(line, sizeof line,
                  "points placed by %s: %zu hexes, %zu not positive, scaled Jacobian min %.4f, mean "
                  "%.4f",
-                 m->way, m->hex_count, m->inverted, m->worst, m->mean);
+                 made->way, m->hex_count, m->inverted, m->worst, m->mean);
   mesh_log(mesh, line);
-  mesh->points = m->points;
-  mesh->hexes = m->hexes;
-  mesh->point_count = m->point_count;
-  mesh->hex_count = m->hex_count;
-  mesh->order = 1;
-  mesh->bound = surface_bound(s);
-  mesh_note(mesh, "hexes per quad", (double)m->hex_count / (double)s->quad_count);
-  *m = (small_mesh){0};
+  filled_mesh_hand_over(&made->mesh, surface_bound(s), s->quad_count, mesh);
 }
 
 hexcon_status mesh_smallest(hexcon_context *context, const surface *s,
@@ -200,10 +159,10 @@ hexcon_status mesh_smallest(hexcon_context *context, const surface *s,
   small_mesh made;
   const double start = mesh_clock();
   hexcon_status status = small_mesh_build(context, s, options->threads, &made);
-  status = mesh_settle(context, status, made.points && made.inverted == 0, mesh);
+  status = mesh_settle(context, status, made.mesh.points && made.mesh.inverted == 0, mesh);
   if (!status)
     hand_over(s, &made, mesh);
-  small_mesh_free(context, &made);
+  filled_mesh_free(context, &made.mesh);
   mesh_note_seconds(mesh, "smallest", start);
   return status;
 }

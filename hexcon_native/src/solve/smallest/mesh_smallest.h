@@ -3,30 +3,25 @@
 #ifndef HEXCON_SOLVE_SMALLEST_MESH_SMALLEST_H
 #define HEXCON_SOLVE_SMALLEST_MESH_SMALLEST_H
 
-#include "solve/common/mesh_result.h"
+#include "solve/common/filled_mesh.h"
 #include "surface/half_edges.h"
 
 /** A filling with a geometry. */
 typedef struct small_mesh {
-  size_t point_count, hex_count;
-  double *points;     /**< [point_count][3] the surface's first, bit for bit */
-  int32_t *hexes;     /**< [hex_count][8] */
-  size_t inverted;    /**< hexes whose Jacobian is not proved positive */
-  double worst, mean; /**< scaled Jacobian */
-  const char *way;    /**< by which its points were placed, static text */
+  filled_mesh mesh;
+  const char *way; /**< by which its points were placed, static text */
 } small_mesh;
 
 /**
  * Fill a checked surface, given or left over by another method: ids of its points are kept, new
  * ones follow. All its points must be used.
  * @param threads  0: one per processor
- * @param out      free with small_mesh_free, also after an error
+ * @param out      free its mesh with filled_mesh_free, also after an error
  * Errors: those of small_class_find, CANCELLED. That some hexes are not positive is none: see
  * inverted. Cost: the improvement of some 50 hexes.
  */
 hexcon_status small_mesh_build(hexcon_context *context, const surface *s, int threads,
                                small_mesh *out);
-void small_mesh_free(hexcon_context *context, small_mesh *m);
 
 /**
  * Fill a checked surface of one component.
