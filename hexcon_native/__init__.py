@@ -28,6 +28,7 @@ from .tables import (  # after the guard: it reads the core
     ErrorCode,
     GIVEN,
     HEX_STAGES,
+    METHOD_CHOICES,
     METHOD_TABLE,
     METHODS,
     Method,
@@ -40,7 +41,7 @@ from .tables import (  # after the guard: it reads the core
 )
 
 __all__ = [
-    "Certificate", "ErrorCode", "HEX_STAGES", "HexconError", "Loops", "METHODS", "METHOD_TABLE", "Mesh", "Method",
+    "Certificate", "ErrorCode", "HEX_STAGES", "HexconError", "Loops", "METHODS", "METHOD_CHOICES", "METHOD_TABLE", "Mesh", "Method",
     "MethodTry", "PAIRINGS", "Quality", "STAGES", "SurfaceReport", "TOPOLOGICAL_METHODS", "certify", "check_options",
     "check_surface", "colouring", "loops", "mesh", "methods_that", "morph", "optimize", "pairing", "quality", "raise_order",
 ]
@@ -482,7 +483,7 @@ class Mesh:
 
 
 @_named_memory
-def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahedralise=None,
+def mesh(points, quads, method="auto", *, hexes=None, order=1, layers=0, threads=0, tetrahedralise=None,
          pairing="all", core=True, budget=0.0, progress=None, allow_uncertified=False,
          allow_topological=False, certify=True):
     """Fill a closed quad surface with hexes whose boundary is exactly its quads.
@@ -491,6 +492,10 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
     method             one of METHODS; METHOD_TABLE tells what each is for, what it takes and makes, and docs/methods.md
                        more. "auto" tries those for solvers until one is certified and good, or else takes the
                        best of them: report["log"] tells of each. Of the TOPOLOGICAL_METHODS see Mesh
+    hexes              a proposal, for "auto", which tries it first, and "proposal": hexes (H, 8) int in VTK
+                       order that have exactly the quads for their boundary. Ids are rows of points;
+                       those beyond are inner points, for which places are found. Or (inner points (K, 3),
+                       hexes): with places, which stay where they are good
     order              1, or 2 for mid-edge points on straight edges
     layers             at least so many layers of plain hexes under the surface, before anything else;
                        there may be one more, where it makes the hexes better. With layers, auto tries only
@@ -524,7 +529,8 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
     keep their order. tetrahedralise sees that order; what it answers must not depend on anything else.
     Returns a Mesh. Raises HexconError: those of check_surface, SELF_INTERSECTING (elements: quads,
     pair after pair, at most 1000 in all: the surface crosses or touches itself there, or comes too near to
-    itself to tell), SEVERAL_COMPONENTS
+    itself to tell), BAD_PROPOSAL (elements: hexes that meet improperly, or rows of the inner points; "auto"
+    turns to other methods), SEVERAL_COMPONENTS
     (elements: one quad of each body), ODD (of a single shell of several: elements: one quad of each
     such shell), NO_HEX_MESH (elements: points of closed paths, mostly one, that bound inside and are
     odd: no hex mesh exists; of all methods that fill bodies), NOT_SWEPT
@@ -546,13 +552,33 @@ def mesh(points, quads, method="auto", *, order=1, layers=0, threads=0, tetrahed
     if tetrahedralise is not None and not callable(tetrahedralise):
         raise _bad_option("tetrahedralise", tetrahedralise, "a callable (points, triangles) or None")
     mesher = None if tetrahedralise is None else _Mesher(tetrahedralise)
+    points = _points(points)
     given = None if isinstance(pairing, str) else _ids(pairing, 2, "pairing")
-    return Mesh(_core.mesh(_points(points), _ids(quads, 4, "quads"), METHODS[method], _count("order", order),
+    return Mesh(_core.mesh(points, _ids(quads, 4, "quads"), METHODS[method], _count("order", order),
                            _flag("allow_uncertified", allow_uncertified), _count("threads", threads),
                            _count("layers", layers), mesher,
                            PAIRING_NUMBERS[GIVEN if given is not None else pairing], given,
+                           *_proposal(hexes, method, len(points)),
                            not _flag("certify", certify), not _flag("core", core),
                            _flag("allow_topological", allow_topological), float(budget), _progress(progress)))
+
+
+def _proposal(hexes, method, point_count):
+    """(hexes, number of inner points, their places) for the core; None for what is not given."""
+    if hexes is None:
+        if method == "proposal":
+            raise HexconError("method proposal needs hexes", ErrorCode.BAD_ARGUMENT)
+        return None, 0, None
+    _refuse_option("proposed hexes", method, lambda one: one.proposal)
+    inner = None
+    if isinstance(hexes, tuple):
+        if len(hexes) != 2:
+            raise _bad_option("hexes", hexes, "an array (H, 8), or (inner points, hexes)")
+        inner, hexes = hexes
+        inner = _plain(inner, "inner points")
+        inner = _points(inner if inner.size else np.empty((0, 3)))
+    hexes = _ids(hexes, 8, "hexes")
+    return hexes, len(inner) if inner is not None else max(int(hexes.max(initial=-1)) + 1 - point_count, 0), inner
 
 
 class _Mesher:

@@ -16,6 +16,7 @@ PAIRINGS: dict[str, int]
 STAGES: dict[str, str]
 HEX_STAGES: dict[str, str]
 METHOD_TABLE: dict[str, Method]
+METHOD_CHOICES: list[str]
 
 class ErrorCode(enum.IntEnum):
     # made by scripts/make_docs.py: begin ErrorCode
@@ -54,6 +55,7 @@ class ErrorCode(enum.IntEnum):
     NO_ROTATIONS = 33
     NO_HEX_MESH = 34
     SELF_INTERSECTING = 35
+    BAD_PROPOSAL = 36
     # end ErrorCode
     @property
     def meaning(self) -> str: ...
@@ -79,6 +81,7 @@ class Method:
     core: bool
     pairing: bool
     tetrahedralise: bool
+    proposal: bool
     holes: bool
     cavities: bool
     odd_colours: bool
@@ -158,6 +161,7 @@ def mesh(points: ArrayLike, quads: ArrayLike, method: str = ..., *, order: int =
          layers: int = ..., threads: int = ...,
          tetrahedralise: Callable[[NDArray[np.float64], NDArray[np.int32]],
                                   tuple[ArrayLike, ArrayLike] | None] | None = ...,
+         hexes: ArrayLike | tuple[ArrayLike, ArrayLike] | None = ...,
          pairing: str | ArrayLike = ..., core: bool = ..., budget: float = ...,
          progress: Progress | None = ...,
          allow_uncertified: bool = ..., allow_topological: bool = ...,

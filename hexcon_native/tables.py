@@ -35,8 +35,8 @@ class Method:
     purpose         one line, without its full stop
     told            how a mesh's report is told: see tell
     topological     its meshes are conforming, but some Jacobians are zero or negative: for no solver
-    layers, core, pairing, tetrahedralise
-                    it takes these options of mesh
+    layers, core, pairing, tetrahedralise, proposal
+                    it takes these options of mesh; a proposal is its `hexes`
     holes, cavities it fills such bodies
     odd_colours     it takes points that cannot be coloured black and white along edges
     odd_paths       it takes surfaces that bound no hex mesh, as it fills no body
@@ -54,6 +54,7 @@ class Method:
     core: bool
     pairing: bool
     tetrahedralise: bool
+    proposal: bool
     holes: bool
     cavities: bool
     odd_colours: bool
@@ -114,3 +115,7 @@ HEX_STAGES = dict(_core.hex_stages())
 def methods_that(wanted):
     """Names of the methods of which wanted(Method) holds, in the table's order."""
     return [name for name, method in METHOD_TABLE.items() if wanted(method)]
+
+
+METHOD_CHOICES = methods_that(lambda method: method.name == "auto" or not method.proposal)
+"""Methods that need nothing but a surface: those that people choose from."""

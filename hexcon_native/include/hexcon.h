@@ -123,7 +123,11 @@ extern "C" {
       "the surface crosses or touches itself, or comes too near to itself to tell, so that it "    \
       "bounds no solid",                                                                           \
       "quads, pair after pair; twice the same: it is folded",                                      \
-      "use a smaller size where walls are thin or radii small; merge points that stand twice")
+      "use a smaller size where walls are thin or radii small; merge points that stand twice")     \
+  ROW(BAD_PROPOSAL,                                                                                \
+      "the proposed hexes are no conforming mesh, or their boundary is not the surface",           \
+      "hexes that meet improperly, or inner points of no hex",                                     \
+      "propose hexes that have exactly the quads, outward, for their boundary")
 
 typedef enum hexcon_status {
   HEXCON_OK = 0,
@@ -465,6 +469,7 @@ typedef enum hexcon_method {
   HEXCON_METHOD_GEODE_ALT = 10,
   HEXCON_METHOD_PILLOWED = 11,
   HEXCON_METHOD_SHELLING = 12,
+  HEXCON_METHOD_PROPOSAL = 13,
   HEXCON_METHOD_COUNT
 } hexcon_method;
 
@@ -495,6 +500,7 @@ typedef struct hexcon_method_facts {
   bool core;           /**< heeds no_core */
   bool pairing;        /**< takes pairing and pairs */
   bool tetrahedralise; /**< calls it, where there is one */
+  bool proposal;       /**< takes proposal, and needs one, but for auto */
   bool holes;          /**< fills bodies with holes through them */
   bool cavities;       /**< fills bodies with cavities */
   bool odd_colours;    /**< takes points that cannot be coloured black and white along edges */
@@ -545,6 +551,15 @@ typedef bool (*hexcon_tetrahedralise)(void *user, const double *points, size_t p
                                       const int32_t *triangles, size_t triangle_count,
                                       hexcon_tetrahedra *out);
 
+/** Hexes that whoever made a surface has in mind inside it. */
+typedef struct hexcon_proposal {
+  size_t hex_count;
+  const int32_t
+      *hexes;         /**< [hex_count][8] VTK order; ids of the surface's points, then of points */
+  size_t point_count; /**< of inner points */
+  const double *points; /**< [point_count][3] where they are at first; NULL: to be found */
+} hexcon_proposal;
+
 /** Options of hexcon_mesh_surface; zero means default. */
 typedef struct hexcon_mesh_options {
   hexcon_method method;
@@ -556,8 +571,9 @@ typedef struct hexcon_mesh_options {
   /** NULL for none; then all meets in one point, if one sees the whole surface */
   hexcon_tetrahedralise tetrahedralise;
   void *tetrahedralise_user;
-  hexcon_pairing pairing; /**< topological methods */
-  const int32_t *pairs;   /**< [pair_count][2] quads that share an edge, if pairing is GIVEN */
+  const hexcon_proposal *proposal; /**< NULL for none; auto tries it first */
+  hexcon_pairing pairing;          /**< topological methods */
+  const int32_t *pairs; /**< [pair_count][2] quads that share an edge, if pairing is GIVEN */
   size_t pair_count;
   bool skip_certificate; /**< prove nothing: the certificate is empty; topological methods leave the
                               quality out too. auto proves all the same */
@@ -586,11 +602,11 @@ typedef struct hexcon_mesh hexcon_mesh;
  * @param options  NULL for defaults
  * @param mesh     receives the result; free with hexcon_mesh_free
  * Errors: those of hexcon_check_surface, SELF_INTERSECTING, SEVERAL_COMPONENTS, ODD, NO_HEX_MESH
- * (all methods but four-split), NOT_BIPARTITE, NOT_SWEPT, UNFILLABLE_QUAD, NOT_STAR_SHAPED,
- * NO_SHEETS, NOT_DICED, NO_SMALL_FILLING, NO_ROTATIONS, NO_PAIRING, BAD_PAIRING, SELF_CROSSING,
- * NO_SIDES, NOT_A_BALL, NOT_CERTIFIED, CANCELLED, OUT_OF_TIME, BAD_ARGUMENT, OUT_OF_MEMORY; `mesh`
- * is then NULL. A topological mesh that is conforming and has the surface for its boundary is no
- * error. Cost: linear in the hexes made, plus the optimisation of what is bad.
+ * (all methods but four-split), NOT_BIPARTITE, BAD_PROPOSAL, NOT_SWEPT, UNFILLABLE_QUAD,
+ * NOT_STAR_SHAPED, NO_SHEETS, NOT_DICED, NO_SMALL_FILLING, NO_ROTATIONS, NO_PAIRING, BAD_PAIRING,
+ * SELF_CROSSING, NO_SIDES, NOT_A_BALL, NOT_CERTIFIED, CANCELLED, OUT_OF_TIME, BAD_ARGUMENT,
+ * OUT_OF_MEMORY; `mesh` is then NULL. A topological mesh that is conforming and has the surface for
+ * its boundary is no error. Cost: linear in the hexes made, plus the optimisation of what is bad.
  */
 hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points, size_t point_count,
                                   const int32_t *quads, size_t quad_count,

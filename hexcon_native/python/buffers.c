@@ -57,6 +57,10 @@ int copy_hexes(PyObject *from, void *to) {
   return copy_rows(from, to, 8 * sizeof(int32_t));
 }
 
+int copy_any_hexes(PyObject *from, void *to) {
+  return copy_rows_or_none(from, to, 8 * sizeof(int32_t));
+}
+
 int copy_pairs(PyObject *from, void *to) {
   return copy_rows_or_none(from, to, 2 * sizeof(int32_t));
 }

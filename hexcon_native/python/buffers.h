@@ -21,12 +21,13 @@ void array_copy_free(array_copy *copy);
 
 /**
  * Converters for PyArg_ParseTuple's "O&", from contiguous buffers of whole rows to array_copy; what
- * was converted is freed where a later argument fails. copy_pairs and copy_any_points take None.
+ * was converted is freed where a later argument fails. copy_pairs and copy_any_... take None.
  */
 int copy_points(PyObject *from, void *to);     /**< rows of 3 float64 */
 int copy_any_points(PyObject *from, void *to); /**< or None */
 int copy_quads(PyObject *from, void *to);      /**< rows of 4 int32 */
 int copy_hexes(PyObject *from, void *to);      /**< rows of 8 int32 */
+int copy_any_hexes(PyObject *from, void *to);  /**< or None */
 int copy_pairs(PyObject *from, void *to);      /**< rows of 2 int32, or None */
 int copy_flags(PyObject *from, void *to);      /**< bytes */
 

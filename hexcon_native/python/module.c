@@ -377,14 +377,16 @@ static PyObject *mesh_as_dict(const hexcon_mesh *mesh) {
 
 static PyObject *mesh(PyObject *module, PyObject *arguments) {
   (void)module;
-  array_copy points, quads, pairs;
+  array_copy points, quads, pairs, hexes, inner;
+  Py_ssize_t inner_count;
   int method, order, allow_uncertified, threads, layers, pairing, skip_certificate, no_core,
       allow_topological;
   double budget;
   PyObject *callback, *tetrahedralise;
-  if (!PyArg_ParseTuple(arguments, "O&O&iipiiOiO&pppdO", copy_points, &points, copy_quads, &quads,
-                        &method, &order, &allow_uncertified, &threads, &layers, &tetrahedralise,
-                        &pairing, copy_pairs, &pairs, &skip_certificate, &no_core,
+  if (!PyArg_ParseTuple(arguments, "O&O&iipiiOiO&O&nO&pppdO", copy_points, &points, copy_quads,
+                        &quads, &method, &order, &allow_uncertified, &threads, &layers,
+                        &tetrahedralise, &pairing, copy_pairs, &pairs, copy_any_hexes, &hexes,
+                        &inner_count, copy_any_points, &inner, &skip_certificate, &no_core,
                         &allow_topological, &budget, &callback))
     return NULL;
   run r;
@@ -392,6 +394,7 @@ static PyObject *mesh(PyObject *module, PyObject *arguments) {
   if (run_begin(&r, callback)) {
     hexcon_mesh *made = NULL;
     mesher_call mesher = {&r, tetrahedralise, NULL, NULL};
+    hexcon_proposal proposal = {hexes.count, hexes.items, (size_t)inner_count, inner.items};
     hexcon_mesh_options options = {.method = (hexcon_method)method,
                                    .order = order,
                                    .allow_uncertified = allow_uncertified != 0,
@@ -399,6 +402,7 @@ static PyObject *mesh(PyObject *module, PyObject *arguments) {
                                    .layers = layers,
                                    .tetrahedralise = tetrahedralise == Py_None ? NULL : call_mesher,
                                    .tetrahedralise_user = &mesher,
+                                   .proposal = hexes.items ? &proposal : NULL,
                                    .pairing = (hexcon_pairing)pairing,
                                    .pairs = pairs.items,
                                    .pair_count = pairs.count,
@@ -418,6 +422,8 @@ static PyObject *mesh(PyObject *module, PyObject *arguments) {
       Py_CLEAR(result);
   }
   array_copy_free(&pairs);
+  array_copy_free(&hexes);
+  array_copy_free(&inner);
   array_copy_free(&points);
   array_copy_free(&quads);
   return result;
@@ -448,7 +454,8 @@ static PyMethodDef methods[] = {
     {"raise_order", raise_order, METH_VARARGS, "raise_order(points, hexes) -> (points, hexes)"},
     {"mesh", mesh, METH_VARARGS,
      "mesh(points, quads, method, order, allow_uncertified, threads, layers, tetrahedralise, "
-     "pairing, pairs or None, skip_certificate, no_core, allow_topological, budget, progress) -> "
+     "pairing, pairs or None, hexes or None, inner_count, inner or None, skip_certificate, "
+     "no_core, allow_topological, budget, progress) -> "
      "dict"},
     {NULL, NULL, 0, NULL}};
 

@@ -617,6 +617,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>as proposed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>takes hexes that come with the surface: places, improves and proves them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>swept</source>
         <translation type="unfinished"></translation>
     </message>

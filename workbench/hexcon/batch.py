@@ -4,11 +4,11 @@ import os
 import time
 import traceback
 
-from hexcon_native import METHOD_TABLE, check_options
+from hexcon_native import METHOD_CHOICES, check_options
 
 from .chatter import chatter_to
 from .cli import terminal
-from .cli.arguments import LAYERS_HELP, PAIRING_HELP, PAIRINGS, methods_help
+from .cli.arguments import CHOSEN, LAYERS_HELP, PAIRING_HELP, PAIRINGS, methods_help
 from .cli.commands import SOLID_ENDINGS, pairing_option
 from .cli.terminal import complain, say
 from .errors import FaultCode, HexconError, ToolError
@@ -110,8 +110,8 @@ def _parser():
     parser.add_argument("--order", type=int, choices=(1, 2), default=1)
     parser.add_argument("--surface-method", choices=list(SURFACE_METHOD_TABLE), default="auto",
                         help=f"how surfaces are meshed with quads. {methods_help(SURFACE_METHOD_TABLE)}")
-    parser.add_argument("--method", choices=list(METHOD_TABLE), default="auto",
-                        help=f"how they are filled with hexes. {methods_help(METHOD_TABLE)}")
+    parser.add_argument("--method", choices=METHOD_CHOICES, default="auto",
+                        help=f"how they are filled with hexes. {methods_help(CHOSEN)}")
     parser.add_argument("--layers", type=int, default=0, metavar="K", help=LAYERS_HELP)
     parser.add_argument("--pairing", choices=PAIRINGS, default=PAIRINGS[0],
                         help=PAIRING_HELP)

@@ -9,6 +9,7 @@
 #include "methods.h"
 #include "solve/auto/mesh_auto.h"
 #include "solve/common/mesh_result.h"
+#include "solve/proposal/mesh_proposal.h"
 #include "surface/build.h"
 #include "surface/numbering.h"
 #include "surface/shells.h"
@@ -25,6 +26,10 @@ static bool takes_core(const hexcon_method_facts *facts) {
 
 static bool takes_pairing(const hexcon_method_facts *facts) {
   return facts->pairing;
+}
+
+static bool takes_proposal(const hexcon_method_facts *facts) {
+  return facts->proposal;
 }
 
 static bool fills_cavities(const hexcon_method_facts *facts) {
@@ -67,6 +72,10 @@ static hexcon_status check_options(hexcon_context *context, const hexcon_mesh_op
     return refuse_option(context, "boundary layers", takes_layers);
   if (options->no_core && !method->facts.core)
     return refuse_option(context, "to refuse a core", takes_core);
+  if (options->proposal && !method->facts.proposal)
+    return refuse_option(context, "a proposal", takes_proposal);
+  if (options->method == HEXCON_METHOD_PROPOSAL && !options->proposal)
+    return context_fail(context, HEXCON_BAD_ARGUMENT, "method proposal needs proposed hexes");
   if (!(options->budget >= 0))
     return context_fail(context, HEXCON_BAD_ARGUMENT,
                         "the time budget must be a number of seconds, not below zero");
@@ -371,6 +380,33 @@ static hexcon_status mesh_numbered(hexcon_context *context, const surface *s,
   return status;
 }
 
+/** With the caller's proposal in canonical points. */
+static hexcon_status mesh_with_proposal(hexcon_context *context, const surface *s,
+                                        const hexcon_mesh_options *options, double start,
+                                        hexcon_mesh *made) {
+  if (!options->proposal)
+    return mesh_numbered(context, s, options, start, made);
+  const size_t corners = 8 * options->proposal->hex_count;
+  int32_t *ranks = context_allocate(context, s->point_count, sizeof *ranks);
+  int32_t *hexes = context_allocate(context, corners, sizeof *hexes);
+  hexcon_status status = ranks && hexes ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
+  hexcon_proposal proposal = *options->proposal;
+  hexcon_mesh_options numbered = *options;
+  if (!status) {
+    numbering_rank_points(s->names, ranks);
+    for (size_t i = 0; i < corners; i++) {
+      int32_t given = proposal.hexes[i];
+      hexes[i] = (size_t)given < s->point_count ? ranks[given] : given;
+    }
+    proposal.hexes = hexes;
+    numbered.proposal = &proposal;
+    status = mesh_numbered(context, s, &numbered, start, made);
+  }
+  context_free(context, ranks);
+  context_free(context, hexes);
+  return status;
+}
+
 /** With the caller's pairs in canonical quads. */
 static hexcon_status mesh_with_pairs(hexcon_context *context, const surface *s,
                                      const hexcon_mesh_options *options, double start,
@@ -383,7 +419,7 @@ static hexcon_status mesh_with_pairs(hexcon_context *context, const surface *s,
   hexcon_mesh_options numbered = *options;
   numbered.pairs = pairs;
   numbering_rank_quads(s->names, options->pairs, 2 * count, pairs);
-  hexcon_status status = mesh_numbered(context, s, &numbered, start, made);
+  hexcon_status status = mesh_with_proposal(context, s, &numbered, start, made);
   context_free(context, pairs);
   return status;
 }
@@ -431,6 +467,8 @@ hexcon_status hexcon_mesh_surface(hexcon_context *context, const double *points,
   status = surface_build(context, points, point_count, quads, quad_count, &given);
   if (!status)
     status = check_body(context, &given, &chosen);
+  if (!status && chosen.proposal)
+    status = proposal_check(context, chosen.proposal, point_count);
   if (!status)
     status = mesh_built(context, &given, &chosen, start, mesh);
   surface_free(context, &given);

@@ -299,6 +299,11 @@ void numbering_name_points(const numbering *names, int32_t *ids, size_t count) {
   name(names->points, names->point_count, ids, count);
 }
 
+void numbering_rank_points(const numbering *names, int32_t *ranks) {
+  for (size_t v = 0; v < names->point_count; v++)
+    ranks[names->points[v]] = (int32_t)v;
+}
+
 void numbering_rank_quads(const numbering *names, const int32_t *ids, size_t count,
                           int32_t *ranks) {
   if (count > 0)
@@ -320,6 +325,7 @@ void numbering_name_elements(hexcon_context *context, const numbering *names,
     numbering_name_points(names, context->elements, context->element_count);
     break;
   case HEXCON_NOT_CERTIFIED: /* hexes */
+  case HEXCON_BAD_PROPOSAL:
     break;
   case HEXCON_BAD_PAIRING: /* two by two */
     name(names->quads, names->quad_count, context->elements, context->element_count);

@@ -44,6 +44,9 @@ void numbering_name_points(const numbering *names, int32_t *ids, size_t count);
  * caller's: paths and pairs in their order, sets of quads ascending. */
 void numbering_name_elements(hexcon_context *context, const numbering *names, hexcon_status status);
 
+/** @param ranks  [point_count] receives the canonical ids of the caller's points */
+void numbering_rank_points(const numbering *names, int32_t *ranks);
+
 /** [count] the canonical ids of the caller's quads; ids that do not exist stay. */
 void numbering_rank_quads(const numbering *names, const int32_t *ids, size_t count, int32_t *ranks);
 

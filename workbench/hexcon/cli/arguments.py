@@ -17,6 +17,9 @@ LAYERS_HELP = (f"at least K layers of plain hexes under the surface, for methods
 PAIRING_HELP = "topological methods: pair all quads, as few as will do, or none (default all)"
 
 
+CHOSEN = {name: hexcon_native.METHOD_TABLE[name] for name in hexcon_native.METHOD_CHOICES}
+
+
 def methods_help(table):
     """What the methods of a table are for, for the help of an option."""
     return "; ".join(f"{name}: {row.purpose}" for name, row in table.items()).replace("%", "%%")
@@ -60,8 +63,8 @@ def _add_meshing(command):
 
 def _add_filling(command, method="auto"):
     """Options of what is filled; method: the default."""
-    command.add_argument("--method", choices=list(hexcon_native.METHODS), default=method,
-                         help=f"how the surface is filled with hexes. {methods_help(hexcon_native.METHOD_TABLE)}")
+    command.add_argument("--method", choices=hexcon_native.METHOD_CHOICES, default=method,
+                         help=f"how the surface is filled with hexes. {methods_help(CHOSEN)}")
     command.add_argument("--layers", type=int, default=0, metavar="K",
                          help=LAYERS_HELP)
     command.add_argument("--pairing", choices=PAIRINGS, default=PAIRINGS[0],

@@ -5,7 +5,7 @@ from PySide import QtCore, QtGui
 
 from hexcon.errors import FaultCode, ToolError
 from hexcon.quads import METHOD_TABLE as SURFACE_METHOD_TABLE
-from hexcon_native import METHOD_TABLE
+from hexcon_native import METHOD_CHOICES, METHOD_TABLE
 
 from . import words
 
@@ -54,7 +54,7 @@ def choose(box, data):
 
 def _choice_of_method():
     """The methods whose meshes can be solved, then those of topology only, marked as such."""
-    box = choice_of_methods("method", list(METHOD_TABLE.values()))
+    box = choice_of_methods("method", [METHOD_TABLE[name] for name in METHOD_CHOICES])
     for row in range(box.count()):
         if METHOD_TABLE[box.itemData(row)].topological:
             box.setItemText(row, translate("HexCon", "{method} (topology only)").format(

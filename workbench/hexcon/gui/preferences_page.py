@@ -7,7 +7,7 @@ from PySide import QtGui
 
 from hexcon import preferences
 from hexcon.quads import METHOD_TABLE as SURFACE_METHOD_TABLE
-from hexcon_native import METHOD_TABLE
+from hexcon_native import METHOD_CHOICES, METHOD_TABLE
 
 from . import filling, words
 from .setup_check import check_setup
@@ -54,7 +54,7 @@ def _group(title, layout):
 
 
 def _fields():
-    solved = [method for method in METHOD_TABLE.values() if not method.topological]
+    solved = [METHOD_TABLE[name] for name in METHOD_CHOICES if not METHOD_TABLE[name].topological]
     threads = QtGui.QSpinBox()
     threads.setRange(0, 1024)
     threads.setSpecialValueText(translate("HexCon", "one per processor"))

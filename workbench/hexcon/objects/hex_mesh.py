@@ -7,7 +7,7 @@ from hexcon.femmesh.document import mark_topological
 from hexcon.inspection.stages import counts_of
 from hexcon.meshing import mesh_quad_surface
 from hexcon.topological import is_topological, refuse_topological_method
-from hexcon_native import METHODS, methods_that
+from hexcon_native import METHOD_CHOICES, methods_that
 
 from . import old_results
 from .parametric import FAILED, OUTDATED, Parametric, fingerprint, is_a, new_mesh_object, set_changed
@@ -17,7 +17,7 @@ ORDERS = ("1", "2")
 
 PROPERTIES = (
     ("App::PropertyLink", "Surface", "HexCon", "The quad surface that is filled", None, False),
-    ("App::PropertyEnumeration", "Method", "HexCon", "How the surface is filled", tuple(METHODS), False),
+    ("App::PropertyEnumeration", "Method", "HexCon", "How the surface is filled", tuple(METHOD_CHOICES), False),
     ("App::PropertyInteger", "Layers", "HexCon", "At least so many layers of plain hexes under the surface; for "
      f"methods {', '.join(methods_that(lambda method: method.layers))}", 0, False),
     ("App::PropertyEnumeration", "Order", "HexCon", "1: C3D8, 2: C3D20 with straight edges", ORDERS, False),

@@ -145,7 +145,8 @@ hexcon_status mesh_auto(hexcon_context *context, const surface *s,
   bool good = false;
   candidate c;
   for (int turn = 1; !good && find_candidate(turn, &c); turn++) {
-    if (options->layers > 0 && !c.row->facts.layers)
+    if ((options->layers > 0 && !c.row->facts.layers) ||
+        (c.row->facts.proposal && !options->proposal))
       continue;
     status = try_candidate(context, s, options, fill, &c, told, mesh, &good);
     if (status && !is_about_method(status))
