@@ -21,7 +21,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Mark hexes that are not positive</source>
+        <source>Mark the hexes at fault</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -421,11 +421,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{quads}, an even number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Dual loops</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{loops}, of which {crossing} cross themselves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crossing itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it bounds no solid, so nothing fills it: {found}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -493,6 +505,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>not positive: {ids}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>overlapping: {ids}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Shown</source>
         <translation type="unfinished"></translation>
     </message>
@@ -529,11 +549,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source> and {count} more</source>
+        <source>quads {ids}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>quads {ids}</source>
+        <source>pairs of quads {ids}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -541,7 +561,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not positive: {ids}</source>
+        <source> and {count} more</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -116,7 +116,16 @@ def test_forces_on_two_faces_add_up_on_their_common_edge():
     deck = calculix.static_deck(mesh, fixed=["Face1"],
                                 force={"Face2": (5.0, 0, 0), "Face6": (0, 0, 7.0)})
     from hexcon.calculix.freecad_deck import nodal_loads
-    assert np.allclose(nodal_loads(deck, 27).sum(axis=0), (5.0, 0, 7.0))
+    assert np.allclose(nodal_loads(deck, np.arange(1, 28)).sum(axis=0), (5.0, 0, 7.0))
+
+
+def test_nodal_loads_are_sized_by_count():
+    from hexcon.calculix.freecad_deck import nodal_loads
+    deck = "*CLOAD\n900000001,1,2.0\n7,3,1.0\n900000001,1,0.5\n"
+    assert nodal_loads(deck, np.array([900000001, 7, 3])).tolist() == [[2.5, 0, 0], [0, 0, 1.0], [0, 0, 0]]
+    with pytest.raises(ToolError, match="number 900000001 is named") as raised:
+        nodal_loads(deck, np.array([7, 3]))
+    assert raised.value.code is FaultCode.TOOL_FAILED
 
 
 def test_failure_in_ccx_words():

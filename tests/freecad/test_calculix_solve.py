@@ -26,7 +26,7 @@ def folders_of_runs(tmp_path, monkeypatch):
 
 def force_in_deck(result):
     text = pathlib.Path(result.inp_path).read_text()
-    return nodal_loads(text, len(result.displacements))
+    return nodal_loads(text, np.arange(1, len(result.displacements) + 1))
 
 
 @pytest.mark.parametrize("order", [1, 2])

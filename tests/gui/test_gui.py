@@ -93,6 +93,10 @@ def test_looking_inside_and_at_dual_loops(tmp_path, home):
     window("script_inside.py", tmp_path, home, "-M", str(ROOT))
 
 
+def test_what_crosses_itself_is_told_and_drawn(tmp_path, home):
+    window("script_crossing.py", tmp_path, home, "-M", str(ROOT))
+
+
 def bare_addon(folder):
     """The addon as it is before `make build`."""
     native = folder / "hexcon_native"

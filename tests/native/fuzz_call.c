@@ -424,6 +424,34 @@ static hexcon_status call_quality(call *c) {
   return status;
 }
 
+/** A verdict, its pairs in order, and words for all but YES. */
+static void check_embedding(const hexcon_embedding *found, size_t quad_count) {
+  const bool yes = found->embedded == HEXCON_EMBEDDED_YES;
+  must(found->embedded < HEXCON_EMBEDDED_COUNT && yes == (*found->reason == '\0') &&
+           (!yes || (found->pair_count == 0 && found->twin_count == 0)) &&
+           (found->embedded != HEXCON_EMBEDDED_NO || found->pair_count > 0),
+       "a verdict on places against its own facts");
+  must(found->pair_count <= HEXCON_MAX_EMBEDDING_PAIRS, "too many pairs");
+  for (size_t i = 0; i < found->pair_count; i++) {
+    const int32_t *pair = found->pairs + 2 * i;
+    must(pair[0] >= 0 && pair[0] <= pair[1] && (size_t)pair[1] < quad_count,
+         "a pair that crosses names no quads");
+    must(i == 0 || pair[-2] < pair[0] || (pair[-2] == pair[0] && pair[-1] < pair[1]),
+         "pairs that cross are not ascending");
+  }
+}
+
+static hexcon_status call_embedding(call *c) {
+  hexcon_embedding found;
+  hexcon_status status = hexcon_surface_embedding(c->context, c->points, c->in.point_count,
+                                                  c->quads, c->in.quad_count, &found);
+  if (status)
+    return status;
+  check_embedding(&found, c->in.quad_count);
+  hexcon_embedding_free(c->context, &found);
+  return status;
+}
+
 static hexcon_status call_certify(call *c) {
   hexcon_certificate found;
   hexcon_status status = hexcon_certify(c->context, c->points, c->in.point_count, c->hexes,
@@ -431,8 +459,10 @@ static hexcon_status call_certify(call *c) {
   if (status)
     return status;
   must(!found.certified || (found.conforming && found.proper && found.boundary_exact &&
-                            found.nonpositive_count == 0 && found.improper_count == 0),
+                            found.nonpositive_count == 0 && found.improper_count == 0 &&
+                            found.embedding.embedded == HEXCON_EMBEDDED_YES),
        "certified against its own facts");
+  check_embedding(&found.embedding, c->in.quad_count);
   for (size_t i = 0; i < found.nonpositive_count; i++)
     must(found.nonpositive[i] >= 0 && (size_t)found.nonpositive[i] < c->in.hex_count,
          "a certificate names no hex");
@@ -583,9 +613,15 @@ static hexcon_status call_mesh(call *c) {
 }
 
 static hexcon_status (*const calls[])(call *) = {
-    call_check,   call_loops,    call_colouring, call_pairing,     call_quality,
-    call_certify, call_optimize, call_morph,     call_raise_order, call_mesh};
-enum { FIRST_OF_HEXES = 4, FIRST_OF_MESHING = 9, CALL_COUNT = 10 };
+    call_check,    call_loops, call_colouring,   call_pairing, call_quality,  call_certify,
+    call_optimize, call_morph, call_raise_order, call_mesh,    call_embedding};
+enum { CALL_COUNT = sizeof calls / sizeof *calls };
+
+static bool is_of_hexes(size_t kind) {
+  return calls[kind] == call_quality || calls[kind] == call_certify ||
+         calls[kind] == call_optimize || calls[kind] == call_morph ||
+         calls[kind] == call_raise_order;
+}
 
 static void check_error(const call *c, hexcon_status status) {
   const int32_t *ids;
@@ -603,10 +639,10 @@ void fuzz_call(const uint8_t *data, size_t size) {
   call c = {0};
   memory.fail_at = take(&b);
   c.cancel_at = take(&b);
-  c.most_reports = kind >= FIRST_OF_MESHING ? MOST_MESHING_REPORTS : MOST_REPORTS;
+  c.most_reports = calls[kind] == call_mesh ? MOST_MESHING_REPORTS : MOST_REPORTS;
   c.options = (bytes){b.at, b.at + 8 < b.end ? b.at + 8 : b.end};
   b.at = c.options.end;
-  fill_input(seed, kind < FIRST_OF_HEXES || kind >= FIRST_OF_MESHING, &c.in);
+  fill_input(seed, !is_of_hexes(kind), &c.in);
   damage(&c.in, &b);
   call_begin(&c);
   c.context = hexcon_context_new_with(test_reallocate, &memory);

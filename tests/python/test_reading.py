@@ -308,6 +308,19 @@ def test_cancelling(tmp_path, monkeypatch):
         raise Stop
     with pytest.raises(Stop):
         surface_from_file(path, progress=stop)
+    for ending in ("vtk", "inp"):   # read by another process, and by this one
+        files.write(block(1, 1, 1), tmp_path / f"m.{ending}")
+        with pytest.raises(Stop):
+            files.read_hexes(tmp_path / f"m.{ending}", progress=stop)
+    told = []
+
+    def stop_later(stage, fraction):
+        told.append(stage)
+        if len(told) == 3:
+            raise Stop
+    with pytest.raises(Stop):
+        files.read_mesh(tmp_path / "m.vtk", progress=stop_later)
+    assert told == ["read"] * 3
 
 
 def test_a_file_that_goes_away(tmp_path):

@@ -39,6 +39,7 @@ STAGES = {
             {"HEXCON_CCX": "fake"}),
     "freecadcmd": (PROGRAM, ["mesh", WEDGE, "--size", "8", "-o", "out/x.FCStd"],
                    {"FREECADCMD": "fake", "FREECAD_LIB": "nowhere"}),
+    "reading": (MODULE, ["check", "box.vtu"], {"HEXCON_PYTHON": "fake"}),
     "drawing": (MODULE, ["example", "schneiders", "--gallery", "out/new"], {"HEXCON_PYTHON": "fake"}),
 }
 

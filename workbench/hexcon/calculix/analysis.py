@@ -10,6 +10,7 @@ from hexcon.errors import FaultCode, HexconError, ToolError
 from hexcon.femmesh.convert import from_femmesh, to_femmesh
 from hexcon.femmesh.document import insert
 from hexcon.femmesh.elements import elements_of
+from hexcon.labels import rows_of
 from hexcon.topological import is_topological, refuse_topological
 
 from . import constraints as make
@@ -224,9 +225,7 @@ def _load(setup, tools):
 def _result(setup, tools, result_object, added, found, log):
     """Arrays of ccx's results in the mesh's node order."""
     n = len(setup.mesh.points)
-    row = np.full(setup.mesh.node_ids.max() + 1, -1)
-    row[setup.mesh.node_ids] = np.arange(n)
-    rows = row[found["node_ids"]]
+    rows = rows_of(setup.mesh.node_ids, found["node_ids"])
     displacements, stress = np.zeros((n, 3)), np.zeros((n, 6))
     displacements[rows] = found["displacements"]
     stress[rows] = found["stress"]

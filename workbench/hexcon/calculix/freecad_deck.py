@@ -12,6 +12,7 @@ import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.hexahedron import FACES
+from hexcon.labels import rows_of
 
 from .deck import face_number, write_forces, write_pressures
 
@@ -33,14 +34,17 @@ def _data(lines):
             if line.strip() and not line.startswith("*")]
 
 
-def nodal_loads(text, n_nodes):
-    """(n_nodes + 1, 3) sum of the *CLOAD forces on each node number of a deck."""
+def nodal_loads(text, node_ids):
+    """(P,3) sum of a deck's *CLOAD forces on each node of node_ids (P,). Raises ToolError TOOL_FAILED for other nodes."""
     rows = np.array([row for keyword, lines in _cards(text) if keyword == "*CLOAD"
                      for row in _data(lines)])
-    loads = np.zeros((n_nodes + 1, 3))
+    loads = np.zeros((len(node_ids), 3))
     if len(rows):
-        place = rows[:, 0].astype(np.int64), rows[:, 1].astype(np.int64) - 1
-        np.add.at(loads, place, rows[:, 2].astype(float))
+        try:
+            nodes = rows_of(node_ids, rows[:, 0].astype(np.int64))
+        except ValueError as error:
+            raise ToolError(f"FreeCAD's deck loads a node that the mesh has not: {error}", FaultCode.TOOL_FAILED) from error
+        np.add.at(loads, (nodes, rows[:, 1].astype(np.int64) - 1), rows[:, 2].astype(float))
     return loads
 
 
@@ -80,11 +84,10 @@ def _side_labels(cards, elements, node_ids, hex_ids):
     return np.array([label[frozenset(face)] for face in FACES.tolist()])
 
 
-def _forces_agree(got, right, elements, force, node_ids):
+def _forces_agree(got, right, elements, force):
     """Whether the nodal loads sum to the right force, in all and over each face's nodes."""
     size = sum(np.linalg.norm(f) for f in force.values())
-    groups = [node_ids] + [node_ids[elements.nodes_of_face(face_number(name))]
-                           for name in force]
+    groups = [slice(None)] + [elements.nodes_of_face(face_number(name)) for name in force]
     return all(np.abs((got - right)[group].sum(axis=0)).max() <= _TOLERANCE * size
                for group in groups)
 
@@ -98,12 +101,12 @@ def correct_loads(path, elements, force, pressure, node_ids, hex_ids):
     """
     with open(path, encoding="utf-8") as stream:
         text = stream.read()
-    cards, notes, last = _cards(text), [], int(node_ids.max())
+    cards, notes = _cards(text), []
     check_held(cards)
     new = io.StringIO()
     write_forces(new, elements, force, node_ids)
-    got, right = nodal_loads(text, last), nodal_loads(new.getvalue(), last)
-    if not _forces_agree(got, right, elements, force, node_ids):
+    got, right = nodal_loads(text, node_ids), nodal_loads(new.getvalue(), node_ids)
+    if not _forces_agree(got, right, elements, force):
         cards = _replace(cards, "*CLOAD", new.getvalue())
         notes.append(f"nodal loads of FreeCAD sum to {got.sum(axis=0).round(6).tolist()} N, "
                      f"{right.sum(axis=0).round(6).tolist()} N was asked for: replaced by "
@@ -122,7 +125,7 @@ def correct_loads(path, elements, force, pressure, node_ids, hex_ids):
         with open(path + ".part", "w", encoding="utf-8") as stream:
             stream.write(text)
         os.replace(path + ".part", path)
-    return notes, nodal_loads(text, last).sum(axis=0)
+    return notes, nodal_loads(text, node_ids).sum(axis=0)
 
 
 def _replace(cards, keyword, text):

@@ -23,6 +23,8 @@ READERS = {".inp": abaqus.read, ".unv": unv.read, ".med": freecad.read_med,
            ".msh": read_meshio, ".vtu": read_meshio, ".vtk": read_meshio,
            ".mesh": read_meshio}
 
+_BY_LIBRARIES = (read_meshio, freecad.read_med)     # in a process of their own, which can be ended at any time
+
 # What a solver takes as it is: a deck with a material, a document with a FEM mesh object. The other
 # formats, .med among them, hold a bare mesh, which to look at is what topology is for.
 SOLVER_ENDINGS = (".inp", ".fcstd")
@@ -92,12 +94,14 @@ def replace_file(path, write_to):
         os.replace(os.path.join(beside, base), path)
 
 
-def _read(path):
+def _read(path, progress):
     """(points, hexes, faces) of any READERS format, faults named, all in range."""
     path = regular_file(path)
     reader = _by_ending(path, READERS, "read")
+    if progress is not None:
+        progress("read", 0.0)
     with naming_faults(path):
-        points, hexes, faces = reader(path)
+        points, hexes, faces = reader(path, progress=progress) if reader in _BY_LIBRARIES else reader(path)
         if not len(hexes):
             raise ToolError(f"{path}: there are no hexahedra in it", FaultCode.FILE_FORMAT)
         if faces is not None and (faces[1].min(initial=0) < 0 or faces[1].max(initial=0) > MOST_FACES):
@@ -108,17 +112,18 @@ def _read(path):
     return points, hexes, faces
 
 
-def read_hexes(path):
+def read_hexes(path, *, progress=None):
     """(points (P,3) float64, hexes (H,8|20) int64, 0-based, VTK order) of a mesh file.
 
     Endings .inp .msh .vtu .vtk .unv .med .mesh. Shells, beams and points are passed over;
     other solids (tetrahedra ...) are an error, for a check must not skip them.
+    progress  callable(stage, fraction), called before and while a library reads: what it raises cancels and comes out here
     Raises ToolError: FILE_FORMAT, FILE_IO, TOOL_MISSING (meshio), FREECAD_MISSING (.med).
     """
-    return _read(path)[:2]
+    return _read(path, progress)[:2]
 
 
-def read_mesh(path):
+def read_mesh(path, *, progress=None):
     """As read_hexes, as a mesh: .points, .hexes, .order, .quads, .face_of_quad.
 
     quads (n,4) is the whole boundary, outward; face_of_quad (n,) the CAD face numbers that
@@ -126,7 +131,7 @@ def read_mesh(path):
     0 where there are none. So a file can be given loads by face.
     """
     path = regular_file(path)
-    points, hexes, faces = _read(path)
+    points, hexes, faces = _read(path, progress)
     with naming_faults(path):
         return _with_boundary(points, hexes, faces)
 

@@ -65,6 +65,6 @@ def _complete(path):
         raise OSError("FreeCAD wrote only a part of it")
 
 
-def read_med(path):
-    """(points, hexes, faces) of a .med file through FreeCAD; see abaqus.read."""
-    return hexes_of_cells(path, cells_by_freecad(path))
+def read_med(path, progress=None):
+    """(points, hexes, faces) of a .med file through FreeCAD; see abaqus.read, and reading.read for progress."""
+    return hexes_of_cells(path, cells_by_freecad(path, progress))

@@ -39,9 +39,9 @@ def cells_by_meshio(path, progress=None):
     return _cells("mesh", path, program, progress)
 
 
-def cells_by_freecad(path):
+def cells_by_freecad(path, progress=None):
     """Cells of a .med file of hexahedra, by FreeCAD; errors as reading.read."""
-    return _cells("med", path, "FreeCAD", None)
+    return _cells("med", path, "FreeCAD", progress)
 
 
 def _cells(reader, path, program, progress):

@@ -22,11 +22,11 @@ def import_meshio(path):
     return meshio
 
 
-def read_meshio(path):
-    """(points, hexes, faces) of .msh, .vtu, .vtk, .mesh; see abaqus.read.
+def read_meshio(path, progress=None):
+    """(points, hexes, faces) of .msh, .vtu, .vtk, .mesh; see abaqus.read. progress: see reading.read.
 
     Raises ToolError: FILE_FORMAT, and those of reading.read."""
-    return hexes_of_cells(path, cells_by_meshio(path))
+    return hexes_of_cells(path, cells_by_meshio(path, progress))
 
 
 def hexes_of_cells(path, cells):

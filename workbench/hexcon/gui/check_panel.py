@@ -16,13 +16,13 @@ translate = FreeCAD.Qt.translate
 
 
 class CheckPanel(Panel):
-    """Works as soon as it opens; then the words, and the hexes that are not positive in red."""
+    """Works as soon as it opens; then the words, and the hexes at fault in red: not positive, or overlapping."""
 
     failed = FreeCAD.Qt.QT_TRANSLATE_NOOP("HexCon", "Not checked")
 
     def __init__(self, mesh_object):
         super().__init__(mesh_object, translate("HexCon", "Certify hex mesh"), icon_path("HexCon_Check"))
-        self._nonpositive = []
+        self._at_fault = []
         try:
             with hourglass():
                 found = read_mesh_object(mesh_object)
@@ -33,7 +33,7 @@ class CheckPanel(Panel):
 
     def fill(self, layout):
         self.name = QtGui.QLabel(self.about().Label)
-        self.mark = QtGui.QCheckBox(translate("HexCon", "Mark hexes that are not positive"))
+        self.mark = QtGui.QCheckBox(translate("HexCon", "Mark the hexes at fault"))
         self.mark.setObjectName("mark")
         self.mark.setChecked(True)
         self.mark.hide()
@@ -45,7 +45,7 @@ class CheckPanel(Panel):
         """Colour the hexes, or take the colour away."""
         mesh_object = self.about()
         if mesh_object is not None:
-            mark_hexes(mesh_object, self._nonpositive if wanted else [])
+            mark_hexes(mesh_object, self._at_fault if wanted else [])
 
     def succeed(self, result):
         """Record the call, show what it says."""
@@ -53,9 +53,9 @@ class CheckPanel(Panel):
         with prepared(result):
             FreeCADGui.doCommand(
                 f"print(hexcon.gui.actions.check_mesh_object({self.reference()}))")
-        if result.nonpositive:
+        self._at_fault = sorted({*result.nonpositive, *result.overlapping})
+        if self._at_fault:
             FreeCADGui.Selection.clearSelection()  # its green would hide the red
-        self._nonpositive = result.nonpositive
-        self.mark.setVisible(bool(self._nonpositive))
+        self.mark.setVisible(bool(self._at_fault))
         self.on_mark(self.mark.isChecked())
         return words.of_check(result)

@@ -10,6 +10,7 @@ import numpy as np
 
 import hexcon_native
 from hexcon.femmesh import elements_of, from_femmesh
+from hexcon.femmesh.boundary import owners
 from hexcon.femmesh.hexahedron import EDGES
 from hexcon.topological import is_topological
 
@@ -25,6 +26,7 @@ class CheckReport:
     certificate      hexcon_native.Certificate (row numbers)
     quality          hexcon_native.Quality
     nonpositive      FreeCAD's element numbers of the hexes not proved positive
+    overlapping      FreeCAD's element numbers of the hexes behind boundary quads that cross or touch others
     surface_known    the boundary was compared with the quads kept in the mesh's face groups
     straight         every middle node is the middle of its edge (True at order 1): the
                      certificate holds for the elements as they are
@@ -35,6 +37,7 @@ class CheckReport:
     certificate: hexcon_native.Certificate
     quality: hexcon_native.Quality
     nonpositive: list
+    overlapping: list
     surface_known: bool
     straight: bool
     topological: bool = False
@@ -67,11 +70,14 @@ def check_mesh(found, progress=None):
     known = found.quads is not None and len(found.quads) == len(own.quads)
     quads = np.asarray(found.quads if known else own.quads)[:, :4]
     certificate = hexcon_native.certify(found.points, found.hexes, quads, progress=progress)
+    hex_ids, behind = np.asarray(found.hex_ids), np.zeros(0, np.int64)
+    if len(certificate.crossings):
+        behind, _ = owners(found.hexes, quads[np.unique(certificate.crossings)], len(found.points))
     return CheckReport(
         SimpleNamespace(points=len(found.points), hexes=len(found.hexes), quads=len(own.quads),
                         order=found.order),
         certificate, hexcon_native.quality(found.points, found.hexes),
-        np.asarray(found.hex_ids)[certificate.nonpositive].tolist(), known, _is_straight(found),
+        hex_ids[certificate.nonpositive].tolist(), hex_ids[np.unique(behind)].tolist(), known, _is_straight(found),
         is_topological(found))
 
 

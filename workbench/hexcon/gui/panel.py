@@ -187,7 +187,8 @@ class Panel:
             self.overlay.show_path(surface.points, edges_along(surface.quads, fault.elements))
             return [(translate("HexCon", "Marked in red"), words.of_path(len(fault.elements)))]
         self.overlay.show(surface.points, surface.quads, fault.elements)
-        return [(translate("HexCon", "Marked in red"), words.of_quads(fault.elements))]
+        name = words.of_pairs if fault.code == ErrorCode.SELF_INTERSECTING else words.of_quads
+        return [(translate("HexCon", "Marked in red"), name(fault.elements))]
 
     def _show_stage(self, stage, fraction):
         if self._open and self.cancel.isEnabled():

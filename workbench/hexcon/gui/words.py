@@ -46,13 +46,18 @@ def of_surface(surface, facts):
     elif facts["Fillable"] == "no":
         even = translate("HexCon", "{quads}, an even number, but a closed path of edges that bounds a surface inside is "
                          "odd: no hex mesh has such a boundary")
-    else:
+    elif facts["Embedded"] == "yes":
         even = translate("HexCon", "{quads}, an even number: hexes can fill it")
+    else:
+        even = translate("HexCon", "{quads}, an even number")
     rows = [(translate("HexCon", "Quads"), even.format(quads=count(facts["Quads"]))),
             (translate("HexCon", "Method"), surface.method),
             (translate("HexCon", "Dual loops"), translate(
                 "HexCon", "{loops}, of which {crossing} cross themselves").format(
                     loops=count(facts["Loops"]), crossing=count(facts["SelfCrossings"])))]
+    if facts["Embedded"] != "yes":
+        rows.append((translate("HexCon", "Crossing itself"), translate(
+            "HexCon", "it bounds no solid, so nothing fills it: {found}").format(found=facts["Embedded"])))
     if facts["Genus"] > 0:
         rows.append((translate("HexCon", "Holes through it"), count(facts["Genus"])))
     if facts["Cavities"] > 0:
@@ -125,7 +130,11 @@ def of_check(report):
             "HexCon", "some edges are curved; hexes were judged by their corners, as if their "
             "edges were straight")))
     if report.nonpositive:
-        rows.append((translate("HexCon", "Elements"), _listed(report.nonpositive)))
+        rows.append((translate("HexCon", "Elements"),
+                     translate("HexCon", "not positive: {ids}").format(ids=_listed(report.nonpositive))))
+    if report.overlapping:
+        rows.append((translate("HexCon", "Elements"),
+                     translate("HexCon", "overlapping: {ids}").format(ids=_listed(report.overlapping))))
     return rows
 
 
@@ -165,10 +174,14 @@ def times(number):
 
 def of_quads(rows):
     """Quads by their numbers in the surface object, which count from 1."""
-    listed = ", ".join(str(row + 1) for row in rows[:MOST_LISTED])
-    if len(rows) > MOST_LISTED:
-        listed += translate("HexCon", " and {count} more").format(count=len(rows) - MOST_LISTED)
-    return translate("HexCon", "quads {ids}").format(ids=listed)
+    return translate("HexCon", "quads {ids}").format(ids=_listed([row + 1 for row in rows]))
+
+
+def of_pairs(rows):
+    """Pairs of quads that cross or touch, pair after pair; the same twice: one that is folded."""
+    pairs = list(dict.fromkeys(zip(rows[::2], rows[1::2])))
+    return translate("HexCon", "pairs of quads {ids}").format(
+        ids=_listed([f"{a + 1}\u2013{b + 1}" for a, b in pairs]))
 
 
 def of_path(edges):
@@ -182,10 +195,11 @@ def of_certificate(report):
 
 
 def _listed(ids):
+    """The first of some numbers, and how many more there are."""
     listed = ", ".join(str(i) for i in ids[:MOST_LISTED])
     if len(ids) > MOST_LISTED:
         listed += translate("HexCon", " and {count} more").format(count=len(ids) - MOST_LISTED)
-    return translate("HexCon", "not positive: {ids}").format(ids=listed)
+    return listed
 
 
 def _worth(quality, certificate, surface_known=True, straight=True):

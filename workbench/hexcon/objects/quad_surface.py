@@ -28,6 +28,8 @@ PROPERTIES = (
     ("App::PropertyInteger", "SelfCrossings", "Result", "Number of loops that cross themselves", 0, True),
     ("App::PropertyInteger", "Genus", "Result", "Number of holes through the body; -1: unknown", 0, True),
     ("App::PropertyInteger", "Cavities", "Result", "Number of cavities in the body", 0, True),
+    ("App::PropertyString", "Embedded", "Result", "Whether the quads cross and touch each other nowhere but in their "
+     "common points and edges: yes, or what was found", "", True),
     ("App::PropertyString", "Fillable", "Result", "Whether a hex mesh with these quads exists: yes, no or unknown", "",
      True),
     ("App::PropertyString", "MethodUsed", "Result", "The method that made the quads", "", True),
@@ -84,6 +86,7 @@ def facts_of(surface):
     return {"Quads": report.n, "Even": bool(report.even), "Loops": len(report.loops.lengths),
             "SelfCrossings": int(np.count_nonzero(report.loops.self_crossings)),
             "Genus": -1 if report.genus is None else int(report.genus), "Cavities": int(report.cavities),
+            "Embedded": "yes" if report.embedded else report.embedding_reason,
             "Fillable": {True: "yes", False: "no", None: "unknown"}[report.fillable]}
 
 
