@@ -240,7 +240,7 @@ def the_guess_follows_the_tables(shape, method, layers):
 
 
 def topology_only_needs_a_tick():
-    from hexcon_native import METHODS, TOPOLOGICAL_METHODS
+    from hexcon_native import METHOD_CHOICES, TOPOLOGICAL_METHODS
     doc, before = state["doc"], untouched()
     select(doc.Box)
     open_panel("HexCon_MeshSolid")
@@ -248,7 +248,7 @@ def topology_only_needs_a_tick():
     listed = {box.itemData(row): "(topology only)" in box.itemText(row)
               for row in range(box.count())}
     assert {method for method in listed if listed[method]} == TOPOLOGICAL_METHODS
-    assert set(listed) == set(METHODS) and sorted(listed.values()) == list(listed.values())
+    assert set(listed) == set(METHOD_CHOICES) and sorted(listed.values()) == list(listed.values())
     assert not tick.isVisible()
     mesh(5.0, method="pyramid")
     assert tick.isVisible() and not find(QtGui.QSpinBox, "layers").isEnabled()

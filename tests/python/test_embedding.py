@@ -116,7 +116,8 @@ def test_the_surfaces_of_the_literature_are_embedded():
 # ------------------------------------------------------------------------- pairs, by another method
 
 def random_pair(rng):
-    """Two quads that share nothing, a point, an edge or two edges, often in touching places."""
+    """Two quads that share nothing, a point, an edge, two edges, opposite points, or points that are opposite in one
+    of them, often in touching places."""
     kind = int(rng.integers(0, 4))
     if kind == 0:
         points = rng.normal(size=(8, 3))
@@ -127,7 +128,7 @@ def random_pair(rng):
         points = np.vstack([sheet, sheet + [0, 0, 10.0 ** -rng.integers(1, 9)]])
     else:
         points = rng.integers(-1, 2, (8, 3)) + 1e-5 * rng.normal(size=(8, 3)) * (rng.random((8, 3)) < 0.3)
-    other = ([4, 5, 6, 7], [1, 5, 6, 7], [1, 0, 6, 7], [2, 1, 0, 7])[int(rng.integers(0, 4))]
+    other = ([4, 5, 6, 7], [1, 5, 6, 7], [1, 0, 6, 7], [2, 1, 0, 7], [0, 5, 2, 7], [0, 2, 6, 7])[int(rng.integers(0, 6))]
     return points, np.array([[0, 1, 2, 3], other])
 
 

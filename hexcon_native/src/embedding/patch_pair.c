@@ -104,17 +104,41 @@ static bool plane_parts(ball a[4][3], ball b[4][3]) {
   return most < least;
 }
 
+/** The side that two of a cell's corners end; -1 if they are opposite. */
+static int side_of(int corner, int other) {
+  if (((corner + 1) & 3) == other)
+    return corner;
+  return ((other + 1) & 3) == corner ? other : -1;
+}
+
+/** What of one cell is the other's, too: a side is, if its ends are those of a side there. */
+typedef struct shared_parts {
+  bool corners[4], sides[4];
+} shared_parts;
+
+static void find_parts(const shared *s, shared_parts *a, shared_parts *b) {
+  memset(a, 0, sizeof *a);
+  memset(b, 0, sizeof *b);
+  for (int i = 0; i < s->count; i++) {
+    a->corners[s->a[i]] = b->corners[s->b[i]] = true;
+    for (int j = 0; j < i; j++) {
+      int side_a = side_of(s->a[i], s->a[j]), side_b = side_of(s->b[i], s->b[j]);
+      if (side_a >= 0 && side_b >= 0)
+        a->sides[side_a] = b->sides[side_b] = true;
+    }
+  }
+}
+
 static bool quadrics_part(pair *p, const cells *c, const shared *s) {
-  bool shared_a[4] = {false, false, false, false}, shared_b[4] = {false, false, false, false};
-  for (int i = 0; i < s->count; i++)
-    shared_a[s->a[i]] = shared_b[s->b[i]] = true;
+  shared_parts a, b;
+  find_parts(s, &a, &b);
   if (!p->has_quadrics) {
     patch_quadric_set(&p->a_seen_by_b, &p->a, &p->b);
     patch_quadric_set(&p->b_seen_by_a, &p->b, &p->a);
     p->has_quadrics = true;
   }
-  return patch_quadric_clears(&p->a_seen_by_b, &c->b, shared_b) ||
-         patch_quadric_clears(&p->b_seen_by_a, &c->a, shared_a);
+  return patch_quadric_clears(&p->a_seen_by_b, &c->b, b.corners, b.sides) ||
+         patch_quadric_clears(&p->b_seen_by_a, &c->a, a.corners, a.sides);
 }
 
 /** A place on a side of a cell, which is straight. */
@@ -154,13 +178,6 @@ static meeting judge_distinct(pair *p, const cells *c, const shared *none) {
 
 /* ------------------------------------------------------------------------------------- recursion
  */
-
-/** The side that two of a cell's corners end; -1 if they are opposite. */
-static int side_of(int corner, int other) {
-  if (((corner + 1) & 3) == other)
-    return corner;
-  return ((other + 1) & 3) == corner ? other : -1;
-}
 
 /** Of three corners, given by their indices, the one whose neighbours the others are. */
 static int middle_of_three(const shared *s) {

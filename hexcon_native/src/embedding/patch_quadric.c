@@ -51,19 +51,18 @@ static ball raised_coefficient(ball a[2][2], int i, int j) {
 }
 
 /** Whether coefficient (i, j) belongs to a shared corner, or to the middle of a shared side. */
-static bool is_shared(const bool shared[4], int i, int j) {
+static bool is_shared(const bool corners[4], const bool sides[4], int i, int j) {
   for (int corner = 0; corner < 4; corner++) {
     const int32_t *here = cell_corner_steps[corner], *next = cell_corner_steps[(corner + 1) & 3];
-    if (shared[corner] && i == 2 * here[0] && j == 2 * here[1])
-      return true;
-    if (shared[corner] && shared[(corner + 1) & 3] && i == here[0] + next[0] &&
-        j == here[1] + next[1])
+    if ((corners[corner] && i == 2 * here[0] && j == 2 * here[1]) ||
+        (sides[corner] && i == here[0] + next[0] && j == here[1] + next[1]))
       return true;
   }
   return false;
 }
 
-bool patch_quadric_clears(const patch_quadric *quadric, const cell *other, const bool shared[4]) {
+bool patch_quadric_clears(const patch_quadric *quadric, const cell *other, const bool corners[4],
+                          const bool sides[4]) {
   ball u[2][2], w[2][2], z[2][2];
   int sign = 0;
   restrict_to(quadric->u, other, u);
@@ -71,7 +70,7 @@ bool patch_quadric_clears(const patch_quadric *quadric, const cell *other, const
   restrict_to(quadric->z, other, z);
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++) {
-      if (is_shared(shared, i, j))
+      if (is_shared(corners, sides, i, j))
         continue;
       ball curved = ball_multiply(quadric->volume, raised_coefficient(z, i, j));
       int here = ball_sign(ball_subtract(product_coefficient(u, w, i, j), curved));

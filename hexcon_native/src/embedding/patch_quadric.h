@@ -24,8 +24,9 @@ void patch_quadric_set(patch_quadric *quadric, const patch *of, const patch *oth
 /**
  * Proved: a cell of the other patch has no place on the quadric but on what it shares with the
  * first: there the coefficients are zero, and those of one sign elsewhere keep the rest off it.
- * @param shared  [4] corners of the cell that lie on the first; a side with both ends does, too
+ * @param corners, sides  [4] those of the cell that are the first's, too
  */
-bool patch_quadric_clears(const patch_quadric *quadric, const cell *other, const bool shared[4]);
+bool patch_quadric_clears(const patch_quadric *quadric, const cell *other, const bool corners[4],
+                          const bool sides[4]);
 
 #endif
