@@ -233,7 +233,7 @@ hexcon_status mesh_cells(hexcon_context *context, const surface *s,
     status = polish(context, &p, &best);
   status = mesh_settle(context, status, best.mesh.points, mesh);
   mesh_note_seconds(mesh, "optimisation", start);
-  if (!status) {
+  if (!status && best.mesh.points) {
     mesh_note(mesh, "attempts", (double)tried);
     tell(&p, &best, mesh);
     filled_mesh_hand_over(&best.mesh, p.bound, s->quad_count, mesh);
