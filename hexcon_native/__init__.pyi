@@ -8,6 +8,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from .errors import HexconError as HexconError
 
+__version__: str
+
 Progress = Callable[[str, float], Any]
 
 METHODS: dict[str, int]
