@@ -79,7 +79,7 @@ def test_stub_has_what_the_module_has():
     stub = ast.parse(read("hexcon_native/__init__.pyi"))
     names = {node.name for node in stub.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
     names |= {node.target.id for node in stub.body if isinstance(node, ast.AnnAssign)} | {"HexconError"}
-    assert names == set(hn.__all__)
+    assert names == {*hn.__all__, "__version__"}
     for node in stub.body:
         if isinstance(node, ast.FunctionDef):
             positional, keywords = parameters(node)
