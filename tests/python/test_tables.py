@@ -288,7 +288,8 @@ def test_surface_methods():
 
 # --------------------------------------------------------------------------------------------- command line
 
-def test_command_line_offers_the_tables(capsys):
+def test_command_line_offers_the_tables(capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "10000")     # no word is broken at its hyphen
     for command in ("mesh", "example", "solve"):
         with pytest.raises(SystemExit):
             arguments.parse([command, "--help"])
