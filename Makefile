@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # make run     set up what is missing, build, mesh and solve a real solid, show where it is
 # make test    set up, build, and run everything that can fail
+# make lint    what linters say of C, Python, shell and the type stub, and what compilers warn of; .ci/run calls it
 # make bench   time and memory of every stage, and how they grow
 # make gallery the examples drawn stage by stage, into output/gallery; GALLERY_METHOD: how they are filled
 # make screenshots the pictures of docs/guide.md, from FreeCAD's window under Xvfb
@@ -8,6 +9,7 @@
 # make compare method diced beside gmsh's own hexes on fifteen solids; COMPARE_QUADS: sizes of the surfaces
 # make parts   named parts with holes, cavities and notches: meshed, patch-tested and solved in FreeCADCmd
 # make csg     random CSG parts from solid to certificate, from seed CSG_FIRST on; goes on where it was stopped
+# make measured  bench, compare, parts and csg, one after the other (hours), and docs/measured.md from their results
 # make fuzz    libFuzzer on the core's calls, with the sanitizers (clang); FUZZ_SECONDS: how long, FUZZ_RUNS: how often
 # make build   the core alone, in place
 # FREECADCMD and PYTHON may name another FreeCAD and its interpreter.
@@ -17,23 +19,25 @@ export FREECADCMD
 # Searched once, and only by the rules that need it: FreeCAD may have to be installed first.
 python = $(eval python := $(shell scripts/find-python.sh))$(python)
 build = build/release
+linted = build/lint
 sanitized = build/sanitized
 sanitized_package = $(sanitized)/package/hexcon_native
 fuzzed = build/fuzz
-sources = $(shell git ls-files 'hexcon_native/*.[ch]' 'tests/native/*.[ch]' 2>/dev/null || \
-            find hexcon_native tests/native -name '*.[ch]')
+sources = $(shell git ls-files 'hexcon_native/*.[ch]' 'tests/native/*.[ch]' 'examples/*.[ch]' 2>/dev/null || \
+            find hexcon_native tests/native examples -name '*.[ch]')
 native = $(wildcard hexcon_native/src/*/*.c hexcon_native/src/*/*/*.c)
 
-.PHONY: run test build bench bench-window compare parts csg gallery screenshots setup-run setup-test lint sanitized-build native-test hostile-test python-test fuzz clean
+.PHONY: run test build bench bench-window compare parts csg measured gallery screenshots setup-run setup-test setup-lint setup-fuzz \
+  lint lint-c lint-python lint-shell sanitized-build native-test hostile-test python-test fuzz clean
 
 run: setup-run build
 	@command -v $(FREECADCMD) >/dev/null || { echo "HexCon: there is no $(FREECADCMD); set FREECADCMD to FreeCAD's command line program" >&2; exit 1; }
 	@echo "HexCon: $$(command -v $(FREECADCMD)), Python $(python)"
 	@PYTHONPATH=.:workbench HEXCON_GMSH_PYTHON=$(python) $(FREECADCMD) resources/examples/run_bracket.py </dev/null
 
-test: setup-test build lint native-test fuzz hostile-test python-test
+test: setup-test build native-test fuzz hostile-test python-test
 
-setup-run setup-test:
+setup-run setup-test setup-lint setup-fuzz:
 	@env FREECADCMD=$(filter-out freecadcmd,$(FREECADCMD)) scripts/setup.sh $(@:setup-%=%)
 
 build:
@@ -41,11 +45,29 @@ build:
 	  -DPython3_EXECUTABLE=$(python) >/dev/null
 	@ninja -C $(build) --quiet
 
-lint: build
-	clang-format --dry-run --Werror $(sources)
-	cppcheck --quiet --error-exitcode=1 --std=c11 --enable=warning,performance,portability \
+# Not of make test: another version of a linter, or of a compiler, may find more, and that is no fault of who builds.
+lint: setup-lint lint-c lint-python lint-shell
+
+lint-c:
+	@clang-format --dry-run --Werror $(sources)
+	@cppcheck --quiet --error-exitcode=1 --std=c11 --enable=warning,performance,portability \
 	  --inline-suppr -Ihexcon_native/include -Ihexcon_native/src $(native)
-	clang-tidy --quiet -p $(build) $(native) 2>/dev/null
+	@[ -f $(linted)/build.ninja ] || cmake -S hexcon_native -B $(linted) -G Ninja -DHEXCON_WERROR=ON -DHEXCON_TESTS=ON \
+	  -DHEXCON_MODULE_FOLDER=$(CURDIR)/$(linted) -DPython3_EXECUTABLE=$(python) >/dev/null
+	ninja -C $(linted) --quiet all hexcon_bench hexcon_template_search
+	@scripts/tidy.sh $(linted) $(filter %.c,$(sources))
+
+lint-python:
+	@$(python) scripts/lint_python.py
+	@mkdir -p build/stubs/hexcon_native && cp hexcon_native/__init__.pyi build/stubs/hexcon_native && \
+	  cp hexcon_native/errors.py build/stubs/hexcon_native/errors.pyi
+	@cd build/stubs && PYTHONPATH=$(CURDIR) MYPYPATH=. $(python) -m mypy.stubtest --concise hexcon_native \
+	  --allowlist $(CURDIR)/scripts/stubtest.txt
+	PYTHONPATH=.:workbench $(python) scripts/make_docs.py --check
+	PYTHONPATH=.:workbench $(python) scripts/translations.py --check
+
+lint-shell:
+	shellcheck scripts/*.sh .ci/run bin/hexcon
 
 sanitized-build:
 	@[ -f $(sanitized)/build.ninja ] && [ -d $(sanitized_package) ] || { mkdir -p $(sanitized_package) && cmake -S hexcon_native -B $(sanitized) -G Ninja \
@@ -70,7 +92,7 @@ python-test:
 # By the number of runs from the committed corpus alone; by time, what was met goes on growing.
 FUZZ_RUNS ?= 2000
 FUZZ_SECONDS ?= 0
-fuzz:
+fuzz: setup-fuzz
 	@[ -f $(fuzzed)/build.ninja ] || cmake -S hexcon_native -B $(fuzzed) -G Ninja -DCMAKE_C_COMPILER=clang \
 	  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DHEXCON_FUZZ=ON -DHEXCON_PYTHON=OFF >/dev/null
 	ninja -C $(fuzzed) --quiet hexcon_fuzz
@@ -108,6 +130,15 @@ parts: setup-run build
 CSG_FIRST ?= 0
 csg: setup-run build
 	@PYTHONPATH=.:workbench $(python) tests/freecad/csg_table.py --first $(CSG_FIRST) --result output/csg.jsonl
+
+# Each writes its result file first: what is there already of csg is kept (remove the file to measure anew).
+measured: setup-run build
+	@mkdir -p output
+	@$(MAKE) --no-print-directory bench >output/bench.new && mv output/bench.new output/bench.txt
+	@$(MAKE) --no-print-directory compare >output/compare.new && mv output/compare.new output/compare.txt
+	@$(MAKE) --no-print-directory parts
+	@$(MAKE) --no-print-directory csg
+	@$(python) scripts/measured.py
 
 clean:
 	rm -rf build output hexcon_native/*.abi3.so

@@ -40,6 +40,8 @@ from .tables import (  # after the guard: it reads the core
     methods_that,
 )
 
+__version__ = _core.version()
+
 __all__ = [
     "Certificate", "ErrorCode", "HEX_STAGES", "HexconError", "Loops", "METHODS", "METHOD_CHOICES", "METHOD_TABLE", "Mesh", "Method",
     "MethodTry", "PAIRINGS", "Quality", "STAGES", "SurfaceReport", "TOPOLOGICAL_METHODS", "certify", "check_options",

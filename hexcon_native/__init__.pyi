@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import enum
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -8,7 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from .errors import HexconError as HexconError
 
-Progress = Callable[[str, float], Any]
+__version__: str
+
+_Progress = Callable[[str, float], Any]
 
 METHODS: dict[str, int]
 TOPOLOGICAL_METHODS: frozenset[str]
@@ -64,12 +67,14 @@ class ErrorCode(enum.IntEnum):
     @property
     def advice(self) -> str: ...
 
+@dataclass(frozen=True)
 class MethodTry:
     turn: int
     good_worst: float
     most_hexes: int
     no_core: bool
 
+@dataclass(frozen=True)
 class Method:
     number: int
     name: str
@@ -156,26 +161,26 @@ def check_surface(points: ArrayLike, quads: ArrayLike) -> SurfaceReport: ...
 def loops(quads: ArrayLike) -> list[NDArray[np.int32]]: ...
 def colouring(quads: ArrayLike) -> NDArray[np.uint8]: ...
 def pairing(quads: ArrayLike, points: ArrayLike | None = ..., *, fewest: bool = ...,
-            progress: Progress | None = ...) -> NDArray[np.int32]: ...
+            progress: _Progress | None = ...) -> NDArray[np.int32]: ...
 def mesh(points: ArrayLike, quads: ArrayLike, method: str = ..., *, order: int = ...,
          layers: int = ..., threads: int = ...,
          tetrahedralise: Callable[[NDArray[np.float64], NDArray[np.int32]],
                                   tuple[ArrayLike, ArrayLike] | None] | None = ...,
          hexes: ArrayLike | tuple[ArrayLike, ArrayLike] | None = ...,
          pairing: str | ArrayLike = ..., core: bool = ..., budget: float = ...,
-         progress: Progress | None = ...,
+         progress: _Progress | None = ...,
          allow_uncertified: bool = ..., allow_topological: bool = ...,
          certify: bool = ...) -> Mesh: ...
 def check_options(method: str = ..., *, order: int = ..., layers: int = ..., threads: int = ...,
                   pairing: str | ArrayLike = ..., budget: float = ..., core: bool = ...) -> None: ...
 def quality(points: ArrayLike, hexes: ArrayLike) -> Quality: ...
 def certify(points: ArrayLike, hexes: ArrayLike, quads: ArrayLike, *,
-            progress: Progress | None = ...) -> Certificate: ...
+            progress: _Progress | None = ...) -> Certificate: ...
 def optimize(points: ArrayLike, hexes: ArrayLike, fixed: ArrayLike | None = ..., *,
              rounds: int = ..., target: float = ..., mean_passes: int = ..., threads: int = ...,
-             progress: Progress | None = ...) -> NDArray[np.float64]: ...
+             progress: _Progress | None = ...) -> NDArray[np.float64]: ...
 def morph(points: ArrayLike, hexes: ArrayLike, goal: ArrayLike, fixed: ArrayLike | None = ..., *,
           target: float = ...,
-          progress: Progress | None = ...) -> tuple[NDArray[np.float64], float]: ...
+          progress: _Progress | None = ...) -> tuple[NDArray[np.float64], float]: ...
 def raise_order(points: ArrayLike, hexes: ArrayLike) -> tuple[NDArray[np.float64],
                                                               NDArray[np.int32]]: ...

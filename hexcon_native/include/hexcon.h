@@ -23,9 +23,19 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/** Version of this header; hexcon_version() tells that of the library. CMake, pkg-config, Python's
+ * `__version__` take it from here. While it begins with 0, a minor version may change calls. */
+#define HEXCON_VERSION "0.2.0"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
+#ifdef HEXCON_SHARED /* only while a shared library is built, which hides all other names */
+#pragma GCC visibility push(default)
+#endif
+
+/** HEXCON_VERSION as the library was built; static text. */
+const char *hexcon_version(void);
 
 /**
  * The faults: name, what it means, what hexcon_context_elements lists ("": nothing), and what the
@@ -649,6 +659,9 @@ size_t hexcon_mesh_report(const hexcon_mesh *mesh, const hexcon_figure **figures
 /** What was tried, in order, a line each; valid as long as the mesh. */
 const char *hexcon_mesh_log(const hexcon_mesh *mesh);
 
+#ifdef HEXCON_SHARED
+#pragma GCC visibility pop
+#endif
 #ifdef __cplusplus
 }
 #endif

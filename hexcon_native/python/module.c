@@ -431,6 +431,7 @@ static PyObject *mesh(PyObject *module, PyObject *arguments) {
 
 static PyMethodDef methods[] = {
     {"methods", table_of_methods, METH_NOARGS, "methods() -> list of dicts, one a method"},
+    {"version", version_of_core, METH_NOARGS, "version() -> text"},
     {"pairings", table_of_pairings, METH_NOARGS, "pairings() -> list of names, by number"},
     {"statuses", table_of_statuses, METH_NOARGS,
      "statuses() -> list of (name, meaning, elements, advice), by number; 0 is OK"},

@@ -8,14 +8,13 @@ static bool report_progress(void *user, const char *stage, double fraction) {
   bool go_on = !r->interrupted && PyErr_CheckSignals() == 0;
   if (go_on && r->callback) {
     PyObject *answer = PyObject_CallFunction(r->callback, "sd", stage, fraction);
+    const bool cancels = answer == Py_False;
     go_on = answer != NULL;
-    if (answer == Py_False) {
-      go_on = false;
-      Py_DECREF(answer);
+    Py_XDECREF(answer);
+    if (cancels) { /* by its answer: no exception is set */
       run_release(r);
       return false;
     }
-    Py_XDECREF(answer);
   }
   r->interrupted = !go_on;
   run_release(r);

@@ -52,6 +52,11 @@ PyObject *table_of_methods(PyObject *module, PyObject *arguments) {
   return list_of_rows(method_row);
 }
 
+PyObject *version_of_core(PyObject *module, PyObject *arguments) {
+  (void)module, (void)arguments;
+  return PyUnicode_FromString(hexcon_version());
+}
+
 static PyObject *pairing_row(size_t row) {
   const char *name = hexcon_pairing_name((int)row);
   return name ? PyUnicode_FromString(name) : NULL;

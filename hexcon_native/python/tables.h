@@ -8,6 +8,7 @@
 
 /* Functions of a module, METH_NOARGS; module.c says what each returns. */
 PyObject *table_of_methods(PyObject *module, PyObject *arguments);
+PyObject *version_of_core(PyObject *module, PyObject *arguments);
 PyObject *table_of_pairings(PyObject *module, PyObject *arguments);
 PyObject *table_of_statuses(PyObject *module, PyObject *arguments);
 PyObject *table_of_progress_stages(PyObject *module, PyObject *arguments);

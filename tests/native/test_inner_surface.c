@@ -61,7 +61,7 @@ static bool segment_meets(const double *from, const double *to, const double *a,
     memcpy(replaced, columns, sizeof replaced);
     for (int k = 0; k < 3; k++)
       replaced[k][i] = right[k];
-    solved[i] = determinant(replaced) / whole;
+    solved[i] = whole != 0 ? determinant(replaced) / whole : -1; /* parallel: they do not meet */
   }
   return solved[0] > 0 && solved[0] < 1 && solved[1] > 0 && solved[2] > 0 &&
          solved[1] + solved[2] < 1;

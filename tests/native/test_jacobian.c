@@ -6,6 +6,7 @@
 
 #include "support.h"
 #include "verify/jacobian_exact.h"
+#include "verify/jacobian_sign.h"
 
 static const int32_t in_order[8] = {0, 1, 2, 3, 4, 5, 6, 7};
 static const double unit_cube[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},

@@ -439,7 +439,7 @@ static void out_of_memory(void **state) {
       bool failed = memory.calls >= fail_at;
       if (failed != (status == HEXCON_OUT_OF_MEMORY))
         fail_msg("%s: allocation %zu fails, status %s", calls[c].name, fail_at,
-                 hexcon_status_name(status));
+                 hexcon_status_name((int)status));
       if (failed)
         assert_message(context);
       assert_int_equal(memory.live, 1);

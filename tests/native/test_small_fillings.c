@@ -236,10 +236,10 @@ static void a_core_is_filled(void **state) {
       surface_build(context, core.points, core.point_count, core.quads, core.quad_count, &s),
       HEXCON_OK);
   assert_int_equal(small_mesh_build(context, &s, 1, &m), HEXCON_OK);
-  assert_int_equal(m.inverted, 0);
-  assert_true(m.worst > 0.1);
-  assert_memory_equal(m.points, core.points, 3 * core.point_count * sizeof *core.points);
-  small_mesh_free(context, &m);
+  assert_int_equal(m.mesh.inverted, 0);
+  assert_true(m.mesh.worst > 0.1);
+  assert_memory_equal(m.mesh.points, core.points, 3 * core.point_count * sizeof *core.points);
+  filled_mesh_free(context, &m.mesh);
   surface_free(context, &s);
   test_mesh_free(&core);
   hexcon_context_free(context);

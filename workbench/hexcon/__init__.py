@@ -4,15 +4,13 @@
 The core (hexcon_native) and the programs around it: gmsh for quad surfaces, FreeCAD's FEM
 workbench and CalculiX behind. FreeCAD is imported only by the calls that need it.
 """
-from hexcon_native import HexconError, Mesh
+from hexcon_native import HexconError, Mesh, __version__
 
 from .errors import FaultCode, ToolError
 from .examples import example, example_names
 from .meshing import mesh_quad_surface, mesh_solid, mesh_surface
 
-__version__ = "0.1.0"
-
-__all__ = ["FaultCode", "HexconError", "Mesh", "ToolError", "example", "example_names",
+__all__ = ["FaultCode", "HexconError", "Mesh", "ToolError", "__version__", "example", "example_names",
            "mesh_quad_surface", "mesh_solid", "mesh_surface", "solve", "to_femmesh", "write"]
 
 

@@ -6,6 +6,10 @@ static const hexcon_status_facts facts[HEXCON_STATUS_COUNT] = {{"OK", "", "", ""
                                                                HEXCON_STATUSES(FACTS)};
 #undef FACTS
 
+const char *hexcon_version(void) {
+  return HEXCON_VERSION;
+}
+
 const hexcon_status_facts *hexcon_status_info(int status) {
   return status >= 0 && status < HEXCON_STATUS_COUNT ? &facts[status] : NULL;
 }

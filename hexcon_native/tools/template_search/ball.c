@@ -199,7 +199,7 @@ static bool inside_already(const ball *b, const uint8_t *points, int count) {
 static bool skin_is_new(const ball *b) {
   const sphere *s = &b->surface;
   const uint8_t *last = b->hexes[b->hex_count - 1];
-  bool of_last[MOST_QUADS];
+  bool of_last[MOST_QUADS] = {false};
   for (int q = 0; q < s->quad_count; q++) {
     uint8_t points[4];
     int found = 0;

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Write the blocks of docs/measured.md from the result files of `make measured`.
+
+python3 scripts/measured.py [--results output]
+
+A block stands between lines that hold "begin NAME" and "end NAME" and begins with when it was measured and on how many
+processors. One whose result file is missing stays as it is. Nothing is typed here: figures are those of the files.
+"""
+import argparse
+import datetime
+import json
+import os
+import re
+import statistics
+import sys
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+PAGE = os.path.join(ROOT, "docs", "measured.md")
+
+
+def verbatim(lines):
+    """As the measuring program printed it."""
+    return ["```", *(line.rstrip() for line in lines if line.strip()), "```"]
+
+
+def csg_rows(lines):
+    """One row for each fifty seeds, and what became of the parts that are not certified."""
+    found = sorted((json.loads(line) for line in lines if line.strip()), key=lambda one: one["seed"])
+    table = ["| seeds | certified | quads | hexes a quad | min; mean (medians) | least of all | seconds (median, most) |",
+             "|---|---|---|---|---|---|---|"]
+    for first in sorted({one["seed"] // 50 * 50 for one in found}):
+        table.append(_csg_row([one for one in found if one["seed"] // 50 * 50 == first]))
+    failures = [f"- seed {one['seed']}: {one['code']}, {one.get('message', '')[:160]}" for one in found
+                if one["code"] != "CERTIFIED"]
+    return table + (["", *failures] if failures else [])
+
+
+def _csg_row(parts):
+    good = [one for one in parts if one["code"] == "CERTIFIED"]
+    row = [f"{parts[0]['seed']} to {parts[-1]['seed']}", f"{len(good)} of {len(parts)}"]
+    if good:
+        quads, rates = [one["quads"] for one in good], [one["hexes"] / one["quads"] for one in good]
+        seconds = [one["seconds"] for one in parts]
+        row += [f"{min(quads)} to {max(quads)}",
+                f"{min(rates):.1f} to {max(rates):.1f}, median {statistics.median(rates):.1f}",
+                "; ".join(f"{statistics.median(one[name] for one in good):.2f}" for name in ("min", "mean")),
+                f"{min(one['min'] for one in good):.3f}",
+                f"{statistics.median(seconds):.0f}, {max(seconds):.0f}"]
+    else:
+        row += ["-"] * 5
+    return "| " + " | ".join(row) + " |"
+
+
+BLOCKS = {"bench": ("bench.txt", verbatim), "parts": ("parts.txt", verbatim), "csg": ("csg.jsonl", csg_rows),
+          "compare": ("compare.txt", verbatim)}
+"""name: result file, and what makes the block's lines of the file's."""
+
+
+def block(path, make):
+    """Lines of a block, its date first."""
+    day = datetime.date.fromtimestamp(os.path.getmtime(path)).isoformat()
+    with open(path, encoding="utf-8") as stream:
+        return [f"{day}, {os.cpu_count()} processors.", "", *make(stream.read().splitlines())]
+
+
+def renewed(text, results):
+    """The page with the blocks whose result files are there."""
+    for name, (file, make) in BLOCKS.items():
+        path = os.path.join(results, file)
+        if os.path.isfile(path) and os.path.getsize(path):
+            lines = "".join(line + "\n" for line in block(path, make))
+            text, count = re.subn(rf"(<!-- begin {name} -->\n).*?(<!-- end {name} -->)",
+                                  lambda found, lines=lines: found[1] + lines + found[2], text, flags=re.DOTALL)
+            if count != 1:
+                raise SystemExit(f"{PAGE}: there are {count} blocks {name}, not one")
+    return text
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--results", default=os.path.join(ROOT, "output"))
+    results = parser.parse_args().results
+    with open(PAGE, encoding="utf-8") as stream:
+        text = stream.read()
+    with open(PAGE, "w", encoding="utf-8") as stream:
+        stream.write(renewed(text, results))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
