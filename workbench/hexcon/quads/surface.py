@@ -18,12 +18,19 @@ class QuadSurface:
     face_of_quad  (n,) int64: 1-based number of the CAD face (Face3 -> 3), 0 where there is no CAD
     method        the method that made it: "sweep", "blocks", "subdivided", ..., or "given"
     notes         what the user should know: other sizes tried, why `auto` did not sweep, ...
+    size          wanted edge length that it was made with; 0: it was not made from a solid
+    tried         how many surfaces of meshing.strategy.TRIES were tried before this one
+    hexes         (H,8) int64 or None: a proposal, the hexes that the method has in mind inside the quads. Ids below V
+                  are rows of points; V, V + 1, ... stand for points inside, which the core places
     """
     points: np.ndarray
     quads: np.ndarray
     face_of_quad: np.ndarray
     method: str
     notes: list = field(default_factory=list)
+    size: float = 0.0
+    tried: int = 0
+    hexes: "np.ndarray | None" = None
 
 
 def edges_of(quads):
@@ -154,12 +161,14 @@ def given(points, quads, notes):
     return QuadSurface(points, np.ascontiguousarray(quads), np.zeros(len(quads), np.int64), "given", list(notes))
 
 
-def finished(points, quads, faces, method, notes):
+def finished(points, quads, faces, method, notes, hexes=None):
     """The QuadSurface of one solid: unused points dropped, closed, outward, even, of one body, which may have cavities.
 
-    points (V,3), quads (n,4), faces (n,). Raises ToolError BAD_SHAPE (not closed, not orientable,
+    points (V,3), quads (n,4), faces (n,), hexes (H,8) or None: a proposal, whose ids that no quad has are points
+    inside, whatever stands in points. Raises ToolError BAD_SHAPE (not closed, not orientable,
     a repeated vertex, NaN, several bodies) or ODD_SURFACE.
     """
+    hexes = None if hexes is None else _packed_proposal(hexes, quads)
     points, quads = _packed(points, quads)
     quads, bodies, _ = orient(points, quads)
     if bodies > 1:
@@ -167,7 +176,17 @@ def finished(points, quads, faces, method, notes):
     if len(quads) % 2:
         raise ToolError(f"the number of quads is odd ({len(quads)}): no hexahedral mesh has such a boundary",
                         FaultCode.ODD_SURFACE)
-    return QuadSurface(points, np.ascontiguousarray(quads), np.asarray(faces, np.int64), method, list(notes))
+    return QuadSurface(points, np.ascontiguousarray(quads), np.asarray(faces, np.int64), method, list(notes),
+                       hexes=hexes)
+
+
+def _packed_proposal(hexes, quads):
+    """The hexes with ids as _packed numbers the quads' points, then those inside, ascending."""
+    hexes, outer = np.asarray(hexes, np.int64), np.unique(quads)
+    inner = np.setdiff1d(hexes, outer)
+    names = np.concatenate([outer, inner])
+    order = np.argsort(names, kind="stable")
+    return order[np.searchsorted(names[order], hexes)]
 
 
 def _packed(points, quads):
