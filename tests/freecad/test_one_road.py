@@ -192,6 +192,8 @@ def test_a_proposal_lives_in_the_document(freecad, meshed, tmp_path):
     solid, surface, mesh = meshed
     hexes = np.arange(24).reshape(3, 8)
     assert np.array_equal(quad_surface.unpacked(quad_surface.packed(hexes)), hexes)
+    inner, again = quad_surface.unpacked(quad_surface.packed((np.eye(3), hexes)))
+    assert np.array_equal(inner, np.eye(3)) and np.array_equal(again, hexes)
     assert quad_surface.unpacked(quad_surface.packed(None)) is None and surface.Proposal == ""
     surface.Proposal = quad_surface.packed(hexes)
     assert np.array_equal(quad_surface.surface_of(surface).hexes, hexes)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """meshing.Strategy: what is tried, in which order, and what is told of it. The core's answers are stubs."""
 import json
+import pathlib
 import subprocess
 import sys
 from types import SimpleNamespace
@@ -8,11 +9,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hexcon.errors import FaultCode, ToolError
-from hexcon.meshing import Strategy, filling, mesh_quad_surface, mesh_solid, strategy
-from hexcon.quads import QuadSurface
-from hexcon.quads.surface import finished
-from hexcon_native import ErrorCode, HexconError
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from hex_grids import block  # noqa: E402
+
+from hexcon.errors import FaultCode, ToolError  # noqa: E402
+from hexcon.meshing import Strategy, filling, mesh_quad_surface, mesh_solid, strategy  # noqa: E402
+from hexcon.quads import QuadSurface  # noqa: E402
+from hexcon.quads.surface import finished  # noqa: E402
+from hexcon_native import ErrorCode, HexconError  # noqa: E402
 
 PROPOSAL = np.array([[0, 1, 2, 3, 4, 5, 6, 7]])
 
@@ -166,6 +170,19 @@ def test_a_proposal_is_numbered_as_the_packed_points():
     assert np.array_equal(made.points, corners)
     assert made.hexes.tolist() == [[0, 1, 2, 3, 4, 5, 6, 7], [0, 1, 2, 3, 9, 11, 10, 8]]
     assert finished(points, quads, np.ones(6), "test", []).hexes is None
+    inner, hexes = finished(points, quads, np.ones(6), "test", [], [[1, 2, 3, 4, 5, 7, 8, 0]]).hexes
+    assert inner.tolist() == [[9, 9, 9], [.5, .5, .5]] and hexes.tolist() == [[0, 1, 2, 3, 9, 5, 6, 8]]
+
+
+@pytest.mark.parametrize("placed", [False, True])
+def test_a_proposal_of_a_block(placed):
+    """By the core itself: 3 x 2 x 2 hexes, handed over with the quads of the block."""
+    grid = block(3, 2, 2)
+    hexes = grid.hexes if placed else np.where(np.isin(grid.hexes, grid.quads), grid.hexes, grid.hexes + len(grid.points))
+    surface = finished(grid.points, grid.quads, np.ones(len(grid.quads)), "test", [], hexes)
+    assert isinstance(surface.hexes, tuple) == placed
+    mesh = mesh_quad_surface(surface)
+    assert mesh.method == "proposal" and len(mesh.hexes) == 12 and mesh.certificate.certified
 
 
 def test_the_worker_hands_hexes_over(tmp_path):

@@ -164,14 +164,22 @@ def surface_of(obj):
                        obj.Tried, unpacked(obj.Proposal))
 
 
-def packed(hexes):
-    """Hexes (H,8), or None, as text for a property."""
-    return "" if hexes is None else base64.b64encode(zlib.compress(np.asarray(hexes, "<i8").tobytes())).decode()
+def packed(proposal):
+    """A QuadSurface's hexes, or None, as text for a property."""
+    if proposal is None:
+        return ""
+    inner, hexes = proposal if isinstance(proposal, tuple) else (None, proposal)
+    parts = (np.asarray(hexes, "<i8"), *(() if inner is None else (np.asarray(inner, "<f8"),)))
+    return " ".join(base64.b64encode(zlib.compress(part.tobytes())).decode() for part in parts)
 
 
 def unpacked(text):
-    """Hexes (H,8) int64, or None, of packed's text."""
-    return np.frombuffer(zlib.decompress(base64.b64decode(text)), "<i8").reshape(-1, 8) if text else None
+    """What packed was given."""
+    if not text:
+        return None
+    hexes, *inner = (zlib.decompress(base64.b64decode(part)) for part in text.split(" "))
+    hexes = np.frombuffer(hexes, "<i8").reshape(-1, 8)
+    return (np.frombuffer(inner[0], "<f8").reshape(-1, 3), hexes) if inner else hexes
 
 
 def is_quad_surface(obj):

@@ -20,8 +20,8 @@ class QuadSurface:
     notes         what the user should know: other sizes tried, why `auto` did not sweep, ...
     size          wanted edge length that it was made with; 0: it was not made from a solid
     tried         how many surfaces of meshing.strategy.TRIES were tried before this one
-    hexes         (H,8) int64 or None: a proposal, the hexes that the method has in mind inside the quads. Ids below V
-                  are rows of points; V, V + 1, ... stand for points inside, which the core places
+    hexes         None, or a proposal as hexcon_native.mesh takes it: the hexes that the method has in mind inside the
+                  quads, (H,8) int64, or (places of the points inside, hexes)
     """
     points: np.ndarray
     quads: np.ndarray
@@ -30,7 +30,7 @@ class QuadSurface:
     notes: list = field(default_factory=list)
     size: float = 0.0
     tried: int = 0
-    hexes: "np.ndarray | None" = None
+    hexes: "np.ndarray | tuple | None" = None
 
 
 def edges_of(quads):
@@ -165,10 +165,10 @@ def finished(points, quads, faces, method, notes, hexes=None):
     """The QuadSurface of one solid: unused points dropped, closed, outward, even, of one body, which may have cavities.
 
     points (V,3), quads (n,4), faces (n,), hexes (H,8) or None: a proposal, whose ids that no quad has are points
-    inside, whatever stands in points. Raises ToolError BAD_SHAPE (not closed, not orientable,
+    inside, at their places where all of them are rows of points. Raises ToolError BAD_SHAPE (not closed, not orientable,
     a repeated vertex, NaN, several bodies) or ODD_SURFACE.
     """
-    hexes = None if hexes is None else _packed_proposal(hexes, quads)
+    hexes = None if hexes is None else _packed_proposal(points, quads, hexes)
     points, quads = _packed(points, quads)
     quads, bodies, _ = orient(points, quads)
     if bodies > 1:
@@ -180,13 +180,14 @@ def finished(points, quads, faces, method, notes, hexes=None):
                        hexes=hexes)
 
 
-def _packed_proposal(hexes, quads):
-    """The hexes with ids as _packed numbers the quads' points, then those inside, ascending."""
+def _packed_proposal(points, quads, hexes):
+    """The proposal with ids as _packed numbers the quads' points, then those inside, ascending."""
     hexes, outer = np.asarray(hexes, np.int64), np.unique(quads)
     inner = np.setdiff1d(hexes, outer)
     names = np.concatenate([outer, inner])
     order = np.argsort(names, kind="stable")
-    return order[np.searchsorted(names[order], hexes)]
+    hexes = order[np.searchsorted(names[order], hexes)]
+    return (np.asarray(points, np.float64)[inner], hexes) if (inner < len(points)).all() else hexes
 
 
 def _packed(points, quads):
