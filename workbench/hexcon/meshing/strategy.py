@@ -20,7 +20,8 @@ _ABOUT_THE_SURFACE = (ErrorCode.NOT_SWEPT, ErrorCode.NO_SHEETS, ErrorCode.NOT_DI
                       ErrorCode.SELF_INTERSECTING)
 
 # A surface of another size may do where these are the matter.
-_WORTH_ANOTHER = (*_ABOUT_THE_SURFACE, ErrorCode.NON_MANIFOLD_VERTEX, ErrorCode.NON_MANIFOLD_EDGE, FaultCode.OFF_CAD,
+_WORTH_ANOTHER = (*_ABOUT_THE_SURFACE, ErrorCode.NON_MANIFOLD_VERTEX, ErrorCode.NON_MANIFOLD_EDGE, ErrorCode.NOT_CLOSED,
+                  ErrorCode.NOT_ORIENTABLE, ErrorCode.REPEATED_VERTEX, ErrorCode.NOT_FINITE, FaultCode.OFF_CAD,
                   FaultCode.NOT_ALL_QUAD, FaultCode.ODD_SURFACE)
 
 # After these no method goes on where another was refused.
