@@ -45,7 +45,8 @@ __version__ = _core.version()
 __all__ = [
     "Certificate", "ErrorCode", "HEX_STAGES", "HexconError", "Loops", "METHODS", "METHOD_CHOICES", "METHOD_TABLE", "Mesh", "Method",
     "MethodTry", "PAIRINGS", "Quality", "STAGES", "SurfaceReport", "TOPOLOGICAL_METHODS", "certify", "check_options",
-    "check_surface", "colouring", "loops", "mesh", "methods_that", "morph", "optimize", "pairing", "quality", "raise_order",
+    "check_surface", "colouring", "loops", "mesh", "methods_that", "morph", "optimize", "orient", "pairing", "quality",
+    "raise_order",
 ]
 
 
@@ -310,6 +311,19 @@ def check_surface(points, quads):
     figures = Loops(np.diff(_array(offsets, np.uintp)).astype(np.int64),
                     _array(crossings, np.uintp).astype(np.int64))
     return SurfaceReport(facts, figures, embedding)
+
+
+@_named_memory
+def orient(points, quads):
+    """Turn quads whose corners run in any sense until they face out of the solid, into its cavities.
+
+    points, quads  as check_surface
+    Returns (quads (n, 4) int32, number of bodies, number of cavities); the corners of those that are turned are
+    reversed. Raises as check_surface, but never INCONSISTENT_ORIENTATION. Cost: linear in n; of several shells,
+    linear in the quads of those round each other.
+    """
+    turned, bodies, cavities = _core.orient_surface(_points(points), _ids(quads, 4, "quads"))
+    return _array(turned, np.int32, 4), bodies, cavities
 
 
 @_named_memory

@@ -246,6 +246,18 @@ hexcon_status hexcon_check_surface(hexcon_context *context, const double *points
                                    size_t point_count, const int32_t *quads, size_t quad_count,
                                    hexcon_surface_report *report);
 
+/**
+ * Turn quads whose corners run in any sense until they face out of the solid: out of its bodies,
+ * and into its cavities. Those that are turned have their corners reversed. Cost: as
+ * hexcon_check_surface without the star centre and the colouring.
+ * @param quads  [quad_count][4], in and out; as they were after an error
+ * @param body_count, cavity_count  receive the components that bound bodies, and cavities
+ * @return the faults of hexcon_check_surface but for INCONSISTENT_ORIENTATION
+ */
+hexcon_status hexcon_orient_surface(hexcon_context *context, const double *points,
+                                    size_t point_count, int32_t *quads, size_t quad_count,
+                                    size_t *body_count, size_t *cavity_count);
+
 /** Whether a surface crosses and touches itself nowhere. */
 typedef enum hexcon_embedded {
   HEXCON_EMBEDDED_UNKNOWN = 0,

@@ -46,6 +46,28 @@ static PyObject *check_surface(PyObject *module, PyObject *arguments) {
   return result;
 }
 
+static PyObject *orient_surface(PyObject *module, PyObject *arguments) {
+  (void)module;
+  array_copy points, quads;
+  if (!PyArg_ParseTuple(arguments, "O&O&", copy_points, &points, copy_quads, &quads))
+    return NULL;
+  run r;
+  size_t bodies = 0, cavities = 0;
+  PyObject *result = NULL;
+  if (run_begin(&r, Py_None)) {
+    run_release(&r);
+    hexcon_status status = hexcon_orient_surface(r.context, points.items, points.count, quads.items,
+                                                 quads.count, &bodies, &cavities);
+    run_acquire(&r);
+    if (run_end(&r, status))
+      result = Py_BuildValue("Nnn", buffer_copy(quads.items, 4 * quads.count, sizeof(int32_t)),
+                             (Py_ssize_t)bodies, (Py_ssize_t)cavities);
+  }
+  array_copy_free(&points);
+  array_copy_free(&quads);
+  return result;
+}
+
 static PyObject *loops_as_tuple(const hexcon_loops *loops) {
   return Py_BuildValue(
       "NNN", buffer_copy(loops->offsets, loops->count + 1, sizeof *loops->offsets),
@@ -439,6 +461,8 @@ static PyMethodDef methods[] = {
      "progress_stages() -> list of (name, words)"},
     {"hex_stages", table_of_hex_stages, METH_NOARGS, "hex_stages() -> list of (name, words)"},
     {"check_surface", check_surface, METH_VARARGS, "check_surface(points, quads) -> dict"},
+    {"orient_surface", orient_surface, METH_VARARGS,
+     "orient_surface(points, quads) -> (quads, bodies, cavities)"},
     {"embedding", embedding, METH_VARARGS, "embedding(points, quads, progress) -> dict"},
     {"loops", loops, METH_VARARGS, "loops(quads) -> (offsets, quads, self_crossings)"},
     {"colouring", colouring, METH_VARARGS, "colouring(quads, point_count) -> bytearray"},

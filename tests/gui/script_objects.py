@@ -77,10 +77,10 @@ def quads_are_previewed_then_made():
 
 
 def a_cancelled_mesh_leaves_no_trace():
-    from hexcon.objects import hex_mesh
+    from hexcon.meshing import Strategy
     doc, undos = document(), document().UndoCount
     open_panel("HexCon_HexMesh")
-    with held_at("placement", hex_mesh, "mesh_quad_surface") as (reached, go_on):
+    with held_at("placement", Strategy, "of_surface") as (reached, go_on):
         button("mesh").click()
         wait(reached.is_set, "points to be placed")
         wait(lambda: "placing" in find(QtGui.QProgressBar, "progress").format(), "the stage")

@@ -11,7 +11,7 @@ from surfaces import box, diced, diced_hull, permuted, tetrahedron
 import hexcon
 import hexcon_native as hn
 from hexcon.errors import ToolError
-from hexcon.quads.surface import given, orient
+from hexcon.quads.surface import given
 
 Code = hn.ErrorCode
 
@@ -67,7 +67,7 @@ def test_shells_are_turned(turned):
     assert report.oriented == (not any(turned)) and report.even and report.bipartite and report.fillable is True
     assert report.volume == pytest.approx(6 ** 3 - 1 - 1.4 ** 3)
     assert report.star_center is None and not report.convex
-    oriented, bodies, cavities = orient(points, quads)
+    oriented, bodies, cavities = hn.orient(points, quads)
     assert as_sets(oriented) == as_sets(right[1]) and (bodies, cavities) == (1, 2)
     layers = hn.mesh(points, quads, "four-split")
     assert as_sets(layers.quads[:len(quads)]) == as_sets(right[1])
@@ -203,8 +203,40 @@ def test_given_surfaces_of_mixed_sense():
     assert any("turned" in note for note in surface.notes)
 
 
-def test_bodies_of_a_given_surface():
-    assert orient(*together(cube(1, 1.0), cube(1, 1.0, (5, 0, 0))))[1:] == (2, 0)
-    assert orient(*together(cube(2, 3.0), cube(1, 2.0), cube(1, 1.0)))[1:] == (2, 1)
-    with pytest.raises(ToolError):
-        orient(*diced(np.eye(3), [[0, 1, 2]]))
+def test_orient():
+    """Bodies and cavities are counted; quads in any sense are turned, their corners reversed, the others kept."""
+    assert hn.orient(*together(cube(1, 1.0), cube(1, 1.0, (5, 0, 0))))[1:] == (2, 0)
+    assert hn.orient(*together(cube(2, 3.0), cube(1, 2.0), cube(1, 1.0)))[1:] == (2, 1)
+    points, quads = together(cube(3, 3.0), inward(hollow_ball(seed=4)), inward(cube(2, 9.0, (30, 0, 0))))
+    right, bodies, cavities = hn.orient(points, quads)
+    assert (bodies, cavities) == (2, 1) or bodies + cavities == hn.check_surface(points, quads).components
+    rng = np.random.default_rng(5)
+    for _ in range(10):
+        turned = rng.random(len(quads)) < rng.random()
+        mixed = np.where(turned[:, None], right[:, ::-1], right)
+        again, *counts = hn.orient(points, mixed)
+        assert np.array_equal(again, right) and counts == [bodies, cavities]
+    given_quads = quads.copy()
+    assert np.array_equal(hn.orient(points, quads)[0], right) and np.array_equal(quads, given_quads)
+
+
+def test_orient_refuses():
+    for points, quads, code in (
+            (*diced(np.eye(3), [[0, 1, 2]]), Code.NOT_CLOSED), (*moebius_torus(), Code.NOT_ORIENTABLE),
+            (np.zeros((0, 3)), np.zeros((0, 4), int), Code.EMPTY)):
+        with pytest.raises(hn.HexconError) as caught:
+            hn.orient(points, quads)
+        assert caught.value.code == code
+        if code != Code.EMPTY:
+            with pytest.raises(hn.HexconError) as caught:
+                given(points, quads, [])
+            assert caught.value.code == code
+
+
+def moebius_torus():
+    """A Klein bottle of 5 x 4 quads."""
+    i, j = (a.ravel() for a in np.mgrid[:5, :4])
+
+    def at(a, b):
+        return 4 * (a % 5) + np.where(a < 5, b % 4, -b % 4)
+    return np.random.default_rng(0).random((20, 3)), np.column_stack([at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)])

@@ -54,6 +54,7 @@ def good_calls():
     counted = {"threads": 1, "progress": None}
     return [
         Given(hn.check_surface, surface, **surface),
+        Given(hn.orient, surface, **surface),
         Given(hn.loops, ["quads"], quads=surface["quads"]),
         Given(hn.colouring, ["quads"], quads=surface["quads"]),
         Given(hn.pairing, surface, **surface, progress=None, fewest=False),

@@ -95,7 +95,7 @@ def test_tetrahedra_are_refused(tmp_path):
 
 
 def _code(path):
-    with pytest.raises(ToolError) as caught:
+    with pytest.raises(HexconError) as caught:
         surface_from_file(path)
     return caught.value.code
 
@@ -109,9 +109,14 @@ def _code_of_meshing(path):
 
 
 def test_open_surface(tmp_path):
-    with pytest.raises(ToolError) as caught:
-        surface_from_file(_write(tmp_path / "s.vtk", POINTS, [("quad", QUADS[1:])]))
-    assert caught.value.code is FaultCode.BAD_SHAPE and "4 edges" in str(caught.value)
+    """One name for it, from a file and from the core."""
+    path = _write(tmp_path / "s.vtk", POINTS, [("quad", QUADS[1:])])
+    with pytest.raises(HexconError) as caught:
+        surface_from_file(path)
+    with pytest.raises(HexconError) as core:
+        hexcon_native.mesh(POINTS, QUADS[1:])
+    assert caught.value.code is core.value.code is ErrorCode.NOT_CLOSED and "4 edges" in str(caught.value)
+    assert str(path) in str(caught.value) and caught.value.elements == core.value.elements
 
 
 def test_two_bodies(tmp_path):
@@ -150,25 +155,27 @@ def test_damaged_polydata_is_told(tmp_path, damage):
     lines += ["4 " + " ".join(map(str, q)) for q in QUADS[1:]]
     path = tmp_path / "s.vtk"
     path.write_text("\n".join(lines) + "\n", encoding="ascii")
-    assert _code(path) in (FaultCode.FILE_FORMAT, FaultCode.BAD_SHAPE)
+    assert _code(path) in (FaultCode.FILE_FORMAT, FaultCode.BAD_SHAPE, ErrorCode.EMPTY)
 
 
 def test_repeated_vertex_and_nan(tmp_path):
     bad = QUADS.copy()
     bad[0, 1] = bad[0, 0]
-    assert _code(_write(tmp_path / "a.vtk", POINTS, [("quad", bad)])) is FaultCode.BAD_SHAPE
+    assert _code(_write(tmp_path / "a.vtk", POINTS, [("quad", bad)])) is ErrorCode.REPEATED_VERTEX
     points = POINTS.copy()
     points[3, 0] = np.nan
-    assert _code(_write(tmp_path / "b.vtk", points, [("quad", QUADS)])) is FaultCode.BAD_SHAPE
+    with pytest.raises(HexconError) as caught:
+        surface_from_file(_write(tmp_path / "b.vtk", points, [("quad", QUADS)]))
+    assert caught.value.code is ErrorCode.NOT_FINITE and caught.value.elements == [3]
 
 
 @pytest.mark.parametrize("ending", ENDINGS + ("unv",))
 def test_nonsense(tmp_path, ending):
     path = tmp_path / f"s.{ending}"
     path.write_text("this is no mesh\n", encoding="ascii")
-    assert _code(path) in (FaultCode.FILE_FORMAT, FaultCode.BAD_SHAPE)
+    assert _code(path) in (FaultCode.FILE_FORMAT, FaultCode.BAD_SHAPE, ErrorCode.EMPTY)
     path.write_bytes(b"")
-    assert _code(path) in (FaultCode.FILE_FORMAT, FaultCode.BAD_SHAPE)
+    assert _code(path) in (FaultCode.FILE_FORMAT, FaultCode.BAD_SHAPE, ErrorCode.EMPTY)
 
 
 def test_missing_and_unknown(tmp_path):

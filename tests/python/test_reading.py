@@ -21,10 +21,11 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from hex_grids import block  # noqa: E402
 
 from hexcon import files  # noqa: E402
-from hexcon.errors import FaultCode, ToolError  # noqa: E402
+from hexcon.errors import FaultCode, HexconError, ToolError  # noqa: E402
 from hexcon.files import archive, reading  # noqa: E402
 from hexcon.files.solid import solid_as_brep  # noqa: E402
 from hexcon.quads import surface_from_file, surface_from_solid  # noqa: E402
+from hexcon_native import ErrorCode  # noqa: E402
 
 READ = {ending: surface_from_file for ending in ("msh", "inp", "unv", "vtk", "vtu", "obj", "mesh")}
 HEXES = {ending: files.read_mesh for ending in ("inp", "unv", "med", "msh", "vtu", "vtk", "mesh")}
@@ -43,7 +44,7 @@ def nothing_left(tmp_path, monkeypatch):
 
 
 def refused(read, path, *words, codes=(FaultCode.FILE_FORMAT,)):
-    with pytest.raises(ToolError) as caught:
+    with pytest.raises(HexconError) as caught:
         read(path)
     assert caught.value.code in codes, caught.value
     for word in (os.path.basename(path), *words):
@@ -220,7 +221,7 @@ LIES = {"vtk": "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\
 def test_counts_that_lie(tmp_path, name, count):
     path = tmp_path / f"x.{name}"
     path.write_text(LIES[name].format(n=count), encoding="ascii")
-    refused(surface_from_file, str(path), codes=(FaultCode.FILE_FORMAT, FaultCode.BAD_SHAPE))
+    refused(surface_from_file, str(path), codes=(FaultCode.FILE_FORMAT, FaultCode.BAD_SHAPE, ErrorCode.EMPTY))
 
 
 def test_a_truncated_polydata_file(tmp_path):
@@ -232,7 +233,7 @@ def test_a_truncated_polydata_file(tmp_path):
     assert len(surface_from_file(path).quads) == 6
     for cut in range(60, len(whole) - 1, 51):
         path.write_bytes(whole[:cut])
-        refused(surface_from_file, str(path), codes=(FaultCode.FILE_FORMAT, FaultCode.BAD_SHAPE))
+        refused(surface_from_file, str(path), codes=(FaultCode.FILE_FORMAT, FaultCode.BAD_SHAPE, ErrorCode.EMPTY))
 
 
 CRASHERS = sorted((pathlib.Path(__file__).resolve().parent / "crashers").iterdir())

@@ -49,7 +49,7 @@ RESULTS = {
         "points": Array("f", ("points", 3)), "quads": Array("i", ("quads", 4), 0, "points"),
         "faces": Array("i", ("quads",), 1), "off_cad": Array("f", ("points",), finite=False),
         "cad_gap": Array("f", ("points",)), "tolerance": Array("f", (), 0), "method": Array("s"),
-        "notes": Array("s", ("notes",))},
+        "notes": Array("s", ("notes",)), "hexes": Array("i", ("hexes", 8), 0, optional=True)},
     "tetrahedra_worker": {**_tetrahedra_of("Delaunay"), **_tetrahedra_of("HXT")}}
 
 

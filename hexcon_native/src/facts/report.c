@@ -109,6 +109,28 @@ hexcon_status hexcon_check_surface(hexcon_context *context, const double *points
   return status;
 }
 
+hexcon_status hexcon_orient_surface(hexcon_context *context, const double *points,
+                                    size_t point_count, int32_t *quads, size_t quad_count,
+                                    size_t *body_count, size_t *cavity_count) {
+  context_clear(context);
+  surface s;
+  hexcon_status status = surface_build_turning(context, points, point_count, quads, quad_count, &s);
+  for (size_t q = 0; !status && q < quad_count; q++) {
+    int32_t *quad = quads + 4 * q;
+    if (quad[1] == s.quads[4 * q + 1])
+      continue;
+    for (int i = 0; i < 2; i++) {
+      int32_t kept = quad[i];
+      quad[i] = quad[3 - i];
+      quad[3 - i] = kept;
+    }
+  }
+  *body_count = surface_body_count(&s);
+  *cavity_count = s.cavity_count;
+  surface_free(context, &s);
+  return status;
+}
+
 static hexcon_status copy_loops(hexcon_context *context, const surface_loops *from,
                                 hexcon_loops *to) {
   size_t passages = from->offsets[from->count];

@@ -6,8 +6,8 @@
 #include "checks.h"
 #include "shells.h"
 
-hexcon_status surface_build(hexcon_context *context, const double *points, size_t point_count,
-                            const int32_t *quads, size_t quad_count, surface *out) {
+static hexcon_status build(hexcon_context *context, const double *points, size_t point_count,
+                           const int32_t *quads, size_t quad_count, bool turning, surface *out) {
   memset(out, 0, sizeof *out);
   hexcon_status status = check_arrays(context, points, point_count, quads, quad_count);
   if (!status)
@@ -23,6 +23,17 @@ hexcon_status surface_build(hexcon_context *context, const double *points, size_
   if (!out->quads || !out->twins || !out->component_of_quad)
     return HEXCON_OUT_OF_MEMORY;
   memcpy(out->quads, quads, 4 * quad_count * sizeof *quads);
-  status = surface_connect(context, out);
+  status = surface_connect(context, out, turning);
   return !status && points ? surface_orient_shells(context, out) : status;
+}
+
+hexcon_status surface_build(hexcon_context *context, const double *points, size_t point_count,
+                            const int32_t *quads, size_t quad_count, surface *out) {
+  return build(context, points, point_count, quads, quad_count, false, out);
+}
+
+hexcon_status surface_build_turning(hexcon_context *context, const double *points,
+                                    size_t point_count, const int32_t *quads, size_t quad_count,
+                                    surface *out) {
+  return build(context, points, point_count, quads, quad_count, true, out);
 }

@@ -16,4 +16,9 @@
 hexcon_status surface_build(hexcon_context *context, const double *points, size_t point_count,
                             const int32_t *quads, size_t quad_count, surface *out);
 
+/** As surface_build, of quads in any sense: never INCONSISTENT_ORIENTATION. */
+hexcon_status surface_build_turning(hexcon_context *context, const double *points,
+                                    size_t point_count, const int32_t *quads, size_t quad_count,
+                                    surface *out);
+
 #endif

@@ -147,9 +147,20 @@ static hexcon_status orient_component(hexcon_context *context, surface *s, orien
   return HEXCON_OK;
 }
 
-/** Number the components; fault where quads of one component are oriented differently. */
-static hexcon_status orient_components(hexcon_context *context, surface *s, orientation *o) {
-  size_t wrong = 0;
+/** Turn the flipped quads, keeping their first corners, and the adjacency with them. */
+static void turn_flipped(surface *s, const uint8_t *flipped) {
+  for (size_t q = 0; q < s->quad_count; q++)
+    if (flipped[q])
+      half_edge_reverse(s->quads + 4 * q, s->twins + 4 * q);
+  for (size_t h = 0; h < 4 * s->quad_count; h++)
+    if (flipped[half_edge_quad(s->twins[h])])
+      s->twins[h] = (s->twins[h] & ~3) | (3 - (s->twins[h] & 3));
+}
+
+/** Number the components; flipped becomes: oriented against most of the component. These are
+ * listed. */
+static hexcon_status orient_components(hexcon_context *context, surface *s, orientation *o,
+                                       size_t *wrong) {
   for (size_t q = 0; q < s->quad_count; q++)
     s->component_of_quad[q] = -1;
   for (size_t q = 0; q < s->quad_count; q++) {
@@ -160,26 +171,34 @@ static hexcon_status orient_components(hexcon_context *context, surface *s, orie
     if (status)
       return status;
     uint8_t minority = 2 * flips <= reached;
-    for (size_t i = 0; flips && i < reached; i++)
-      if (o->flipped[o->queue[i]] == minority) {
+    for (size_t i = 0; i < reached; i++) {
+      uint8_t *flipped = &o->flipped[o->queue[i]];
+      *flipped = flips && *flipped == minority;
+      if (*flipped) {
         context_add_element(context, o->queue[i]);
-        wrong++;
+        ++*wrong;
       }
+    }
     s->component_count++;
   }
-  if (wrong)
-    return context_fail(context, HEXCON_INCONSISTENT_ORIENTATION,
-                        "%zu quads are oriented against their neighbours (listed); reverse the "
-                        "order of their corners",
-                        wrong);
   return HEXCON_OK;
 }
 
-static hexcon_status check_orientation(hexcon_context *context, surface *s) {
+static hexcon_status check_orientation(hexcon_context *context, surface *s, bool turning) {
+  size_t wrong = 0;
   orientation o = {context_allocate_zeroed(context, s->quad_count, sizeof *o.flipped),
                    context_allocate(context, s->quad_count, sizeof *o.queue)};
   hexcon_status status =
-      o.flipped && o.queue ? orient_components(context, s, &o) : HEXCON_OUT_OF_MEMORY;
+      o.flipped && o.queue ? orient_components(context, s, &o, &wrong) : HEXCON_OUT_OF_MEMORY;
+  if (!status && wrong && !turning)
+    status = context_fail(context, HEXCON_INCONSISTENT_ORIENTATION,
+                          "%zu quads are oriented against their neighbours (listed); reverse the "
+                          "order of their corners",
+                          wrong);
+  if (!status && wrong) {
+    context_clear(context);
+    turn_flipped(s, o.flipped);
+  }
   context_free(context, o.flipped);
   context_free(context, o.queue);
   return status;
@@ -221,7 +240,19 @@ static hexcon_status check_vertices(hexcon_context *context, const surface *s) {
   return HEXCON_OK;
 }
 
-hexcon_status surface_connect(hexcon_context *context, surface *s) {
+void half_edge_reverse(int32_t quad[4], int32_t twins[4]) {
+  int32_t kept = quad[1];
+  quad[1] = quad[3];
+  quad[3] = kept;
+  kept = twins[0];
+  twins[0] = twins[3];
+  twins[3] = kept;
+  kept = twins[1];
+  twins[1] = twins[2];
+  twins[2] = kept;
+}
+
+hexcon_status surface_connect(hexcon_context *context, surface *s, bool turning) {
   int32_t *sorted = context_allocate(context, 4 * s->quad_count, sizeof *sorted);
   hexcon_status status = sorted ? sort_half_edges(context, s, sorted) : HEXCON_OUT_OF_MEMORY;
   if (!status)
@@ -230,7 +261,7 @@ hexcon_status surface_connect(hexcon_context *context, surface *s) {
   if (!status)
     status = context_after(context, s->quad_count);
   if (!status)
-    status = check_orientation(context, s);
+    status = check_orientation(context, s, turning);
   if (!status)
     status = context_after(context, s->quad_count);
   if (!status)

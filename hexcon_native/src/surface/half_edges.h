@@ -47,10 +47,16 @@ static inline int32_t half_edge_end(const surface *s, int32_t h) {
 /**
  * Find the twins, the components and one consistent orientation of quads whose arrays are checked.
  * @param s  with its counts, quads, and room for twins and component_of_quad. Linear
+ * @param turning  turn quads that are oriented against most of their component; else they are
+ *                 INCONSISTENT_ORIENTATION
  * @return NON_MANIFOLD_EDGE, NOT_CLOSED, NOT_ORIENTABLE, INCONSISTENT_ORIENTATION,
  *         NON_MANIFOLD_VERTEX, OUT_OF_MEMORY, CANCELLED, OUT_OF_TIME
  */
-hexcon_status surface_connect(hexcon_context *context, surface *s);
+hexcon_status surface_connect(hexcon_context *context, surface *s, bool turning);
+
+/** Reverse a quad, its first corner kept, and its own row of twins with it; not what the twins of
+ * others say of it. */
+void half_edge_reverse(int32_t quad[4], int32_t twins[4]);
 void surface_free(hexcon_context *context, surface *s);
 
 /** Largest id in quads plus one; 0 if there is none that is valid. */

@@ -213,15 +213,7 @@ static hexcon_status find_depths(hexcon_context *context, nest *n) {
 /* ------------------------------------------------------------------------------------- turning */
 
 static void turn_quad(surface *s, size_t q) {
-  int32_t *quad = s->quads + 4 * q, *twins = s->twins + 4 * q, kept = quad[1];
-  quad[1] = quad[3];
-  quad[3] = kept;
-  kept = twins[0];
-  twins[0] = twins[3];
-  twins[3] = kept;
-  kept = twins[1];
-  twins[1] = twins[2];
-  twins[2] = kept;
+  half_edge_reverse(s->quads + 4 * q, s->twins + 4 * q);
   for (size_t h = 4 * q; h < 4 * q + 4; h++)
     s->twins[h] = (s->twins[h] & ~3) | (3 - (s->twins[h] & 3));
 }

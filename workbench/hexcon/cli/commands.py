@@ -119,7 +119,7 @@ def _mesh_lines(mesh):
     lines += [f"              {note}" for note in mesh.surface.notes]
     lines += [f"mesh          {len(mesh.hexes)} hexes, {len(mesh.points)} points, order "
               f"{mesh.order}, method {mesh.method}: {_made_of(mesh)}",
-              *(f"tried         {line}" for line in mesh.report["log"]),
+              *(f"tried         {line}" for line in (*mesh.report.get("surface tries", ()), *mesh.report["log"])),
               _quality_line(mesh.quality), _certificate_line(mesh.certificate, mesh.order)]
     if is_topological(mesh):
         lines.append(f"topological   {MEANING}")

@@ -5,7 +5,7 @@ import contextlib
 import os
 import stat
 
-from hexcon.errors import FaultCode, ToolError
+from hexcon.errors import FaultCode, HexconError, ToolError
 
 _WHAT = ((stat.S_ISDIR, "a folder"), (stat.S_ISFIFO, "a pipe"), (stat.S_ISSOCK, "a socket"),
          (stat.S_ISCHR, "a device"), (stat.S_ISBLK, "a device"))
@@ -37,13 +37,13 @@ def regular_file(path):
 
 @contextlib.contextmanager
 def naming_faults(path):
-    """Inside, whatever a reader stumbles over becomes a ToolError that names the file: FILE_IO, FILE_FORMAT, its own."""
+    """Inside, whatever a reader stumbles over becomes a fault that names the file: FILE_IO, FILE_FORMAT, its own."""
     try:
         yield
-    except ToolError as fault:
+    except HexconError as fault:
         if path in str(fault):
             raise
-        raise ToolError(f"{path}: {fault}", fault.code, fault.elements) from fault
+        raise type(fault)(f"{path}: {fault}", fault.code, fault.elements) from fault
     except OSError as error:    # it went away, or its disk did
         raise ToolError(f"cannot read {path}: {error.strerror or error}", FaultCode.FILE_IO) from error
     except (ValueError, ArithmeticError, LookupError, TypeError, RecursionError) as error:

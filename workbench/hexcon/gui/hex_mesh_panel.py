@@ -68,16 +68,19 @@ class HexMeshPanel(Panel):
         self._used, self._allowed = self.filling.settings(), self.filling.allowed()
         try:
             self.filling.refuse_topological()
-            self._mark, job = hex_mesh.job_of(self.surface, **self._used, allow_topological=self._allowed)
+            self._mark, job = self._job()
         except HexconError as fault:
             self.show_fault(fault)
             return
         self.begin(job)
 
+    def _job(self):
+        return hex_mesh.job_of(self.surface, **self._used, allow_topological=self._allowed,
+                               try_other_surfaces=self.edited and self.about().TryOtherSurfaces)
+
     def succeed(self, result):
         """Put the mesh into the document by the call that the macro recorder keeps."""
-        mark, _ = hex_mesh.job_of(self.surface, **self._used, allow_topological=self._allowed)
-        if self.about() is None or mark != self._mark:
+        if self.about() is None or self._job()[0] != self._mark:
             raise ToolError(translate(
                 "HexCon", "the quads changed while they were filled; press Mesh again"),
                 FaultCode.BAD_SHAPE)

@@ -19,6 +19,8 @@ from .prepared import taken
 def make_hex_mesh(surface_object, *, method="auto", layers=0, order=1, budget=0.0, allow_topological=False):
     """Fill a quad surface object with hexes; returns the new FEM mesh object.
 
+    The quads are taken as they are. Where other quads of the same solid may do as well: mesh_solid_object.
+
     method, layers, order, budget  as hexcon_native.mesh
     allow_topological  make the object even by a method of topology only; it is marked as such
     Raises HexconError: those of hexcon.mesh_quad_surface.
@@ -34,9 +36,10 @@ def make_hex_mesh(surface_object, *, method="auto", layers=0, order=1, budget=0.
 
 
 def update_hex_mesh(mesh_object, **settings):
-    """Make a hex mesh anew with other settings: those of make_hex_mesh. Raises as that."""
+    """Make a hex mesh anew with other settings: those of make_hex_mesh, and try_other_surfaces. Raises as that."""
     whole = {"method": mesh_object.Method, "layers": mesh_object.Layers, "order": int(mesh_object.Order),
-             "budget": mesh_object.Budget, "allow_topological": mesh_object.AllowTopological, **settings}
+             "budget": mesh_object.Budget, "allow_topological": mesh_object.AllowTopological,
+             "try_other_surfaces": mesh_object.TryOtherSurfaces, **settings}
     mark, job = hex_mesh_objects.job_of(mesh_object.Surface, **whole)
     update(mesh_object, taken() or job(None), mark, settings,
             hex_mesh_objects.set_settings)
@@ -56,12 +59,13 @@ def mesh_solid_object(solid_object, size, *, surface_method="auto", method="auto
     timeout         seconds for gmsh
     allow_topological  make the object even by a method of topology only; it is marked as such
     The quad surface object is the mesh's Surface; it and the solid are hidden, as the mesh covers
-    them. Raises HexconError: those of hexcon.meshing.mesh_solid and femmesh.add_to_document.
+    them. Where the quads of that size cannot be filled, others are tried, here and whenever the mesh is made anew;
+    the surface object keeps the size asked for, and its SizeUsed tells that of its quads. Raises HexconError: those of hexcon.meshing.mesh_solid and femmesh.add_to_document.
     """
     refuse_topological_method(method, allow_topological)  # before the work, not after it
     of_surface = {"source": solid_object, "size": float(size), "method": surface_method}
     of_mesh = {"method": method, "layers": layers, "order": order, "budget": float(budget),
-               "allow_topological": allow_topological}
+               "allow_topological": allow_topological, "try_other_surfaces": True}
     shape = solid_shape(solid_object)
     mesh = taken() or mesh_solid(
         shape, size, surface_method=surface_method, method=method, layers=layers, order=order,

@@ -76,7 +76,7 @@ def of_mesh(mesh):
     rows += _warning(is_topological(mesh))
     rows += _worth(mesh.quality, mesh.certificate)
     rows += [(translate("HexCon", "Note"), note) for note in report.get("surface notes", ())]
-    rows += [(translate("HexCon", "Tried"), line) for line in report["log"]]
+    rows += [(translate("HexCon", "Tried"), line) for line in (*report.get("surface tries", ()), *report["log"])]
     rows += [(translate("HexCon", "gmsh"), line) for line in report.get("gmsh", ())]
     return rows
 

@@ -5,13 +5,14 @@ from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh import to_femmesh
 from hexcon.femmesh.document import mark_topological
 from hexcon.inspection.stages import counts_of
-from hexcon.meshing import mesh_quad_surface
+from hexcon.meshing import Strategy
+from hexcon.meshing.strategy import is_worth_another
 from hexcon.topological import is_topological, refuse_topological_method
 from hexcon_native import METHOD_CHOICES, methods_that
 
 from . import old_results
-from .parametric import FAILED, OUTDATED, Parametric, fingerprint, is_a, new_mesh_object, set_changed
-from .quad_surface import TIMEOUT, is_quad_surface, surface_of
+from .parametric import FAILED, OUTDATED, Parametric, fingerprint, is_a, new_mesh_object, set_changed, solid_shape
+from .quad_surface import TIMEOUT, is_quad_surface, surface_of, take_another
 
 ORDERS = ("1", "2")
 
@@ -25,6 +26,9 @@ PROPERTIES = (
      0.0, False),
     ("App::PropertyBool", "AllowTopological", "HexCon", "Allow the methods whose meshes are topology only: no "
      "solver must be given them", False, False),
+    ("App::PropertyBool", "TryOtherSurfaces", "HexCon", "Where the quads cannot be filled, others of the same solid are "
+     "tried, somewhat smaller, and the quad surface object takes those that can; only for automatic methods without a "
+     "time limit", False, False),
     ("App::PropertyInteger", "Hexes", "Result", "Number of hexes", 0, True),
     ("App::PropertyString", "MethodUsed", "Result", "The method that made the hexes", "", True),
     ("App::PropertyFloat", "MinimumScaledJacobian", "Result", "Worst scaled Jacobian of a hex", 0.0, True),
@@ -38,23 +42,30 @@ PROPERTIES = (
     ("App::PropertyStringList", "Log", "Result", "What was tried", None, True),
 )
 SETTINGS = {"surface": "Surface", "method": "Method", "layers": "Layers", "order": "Order", "budget": "Budget",
-            "allow_topological": "AllowTopological"}
+            "allow_topological": "AllowTopological", "try_other_surfaces": "TryOtherSurfaces"}
 
 
-def job_of(surface, method="auto", layers=0, order=1, budget=0.0, allow_topological=False):
+def job_of(surface, method="auto", layers=0, order=1, budget=0.0, allow_topological=False, try_other_surfaces=False):
     """(fingerprint, job(progress) -> Mesh); surface is a quad surface object.
 
-    Raises ToolError: TOPOLOGICAL_MESH for such a method if not allowed, BAD_SHAPE without quads.
+    try_other_surfaces  go the way from the solid: see meshing.Strategy. The mesh's .surface may be another then
+    Raises HexconError: TOPOLOGICAL_MESH for such a method if not allowed, BAD_SHAPE without quads, BAD_ARGUMENT.
     """
     refuse_topological_method(method, allow_topological)
-    filled = surface_of(surface)
-    return mark_of(filled, method, layers, order, budget), lambda progress: mesh_quad_surface(
-        filled, method, timeout=TIMEOUT, progress=progress, layers=layers, order=order, budget=budget,
-        threads=preferences.value("Threads"), allow_topological=allow_topological)
+    strategy = Strategy(method, surface.Method, timeout=TIMEOUT, layers=layers, order=order, budget=budget,
+                        threads=preferences.value("Threads"), allow_topological=allow_topological)
+    held = surface_of(surface)
+    mark = mark_of(held, method, layers, order, budget)
+    if not (try_other_surfaces and hasattr(surface.Source, "Shape")):
+        return mark, lambda progress: strategy.of_surface(held, progress=progress)
+    shape, size, first = solid_shape(surface.Source), surface.Size.Value, held if held.tried == 0 else None
+    if surface.Proxy.fault is not None:     # the quads are those of older inputs
+        mark, first = fingerprint(surface.Proxy.first_try(surface)[0], mark), None
+    return mark, lambda progress: strategy.of_solid(shape, size, progress=progress, first=first)
 
 
-def mark_of(surface, method="auto", layers=0, order=1, budget=0.0, allow_topological=False):
-    """The fingerprint for a QuadSurface. That something is allowed changes no mesh."""
+def mark_of(surface, method="auto", layers=0, order=1, budget=0.0, allow_topological=False, try_other_surfaces=False):
+    """The fingerprint for a QuadSurface. What is allowed, or might have been tried, changes no mesh of it."""
     return fingerprint(surface.points, surface.quads, surface.face_of_quad, method, int(layers), int(order),
                        float(budget))
 
@@ -66,6 +77,9 @@ class HexMeshObject(Parametric):
     PROPERTIES = PROPERTIES
 
     def waits_for(self, obj):
+        fault = getattr(getattr(obj.Surface, "Proxy", None), "fault", None)
+        if obj.TryOtherSurfaces and fault is not None and is_worth_another(fault):
+            return ""   # the next surfaces are for this object to try
         status = getattr(obj.Surface, "Status", "")
         return f"its quad surface is not up to date ({status})" if status.startswith((FAILED, OUTDATED)) else ""
 
@@ -74,10 +88,14 @@ class HexMeshObject(Parametric):
             return None
         if not is_quad_surface(obj.Surface):
             raise ToolError(f"{obj.Surface.Label} is no quad surface", FaultCode.BAD_SHAPE)
-        return job_of(obj.Surface, obj.Method, obj.Layers, int(obj.Order), obj.Budget, obj.AllowTopological)
+        return job_of(obj.Surface, obj.Method, obj.Layers, int(obj.Order), obj.Budget, obj.AllowTopological,
+                      obj.TryOtherSurfaces)
 
     def take(self, obj, result, mark):
-        before = obj.MadeFrom
+        before, settings = obj.MadeFrom, (obj.Method, obj.Layers, int(obj.Order), obj.Budget)
+        if mark_of(result.surface, *settings) != mark or result.surface.tried != obj.Surface.Tried:
+            take_another(obj.Surface, result.surface)
+            mark = mark_of(surface_of(obj.Surface), *settings)
         super().take(obj, result, mark)
         if before not in ("", mark):
             old_results.mark(obj, before, mark)
@@ -93,7 +111,7 @@ class HexMeshObject(Parametric):
             "MeanScaledJacobian": quality.mean if quality else 0.0,
             "Certified": bool(certificate and certificate.certified),
             "Stages": [name for name, _ in stages], "HexesOfStages": [count for _, count in stages],
-            "Log": [str(line) for line in result.report["log"]]})
+            "Log": [str(line) for line in (*result.report.get("surface tries", ()), *result.report["log"])]})
 
 
 def stages_of_object(obj):

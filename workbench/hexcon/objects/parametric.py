@@ -18,6 +18,7 @@ CURRENT = "Up to date"
 OUTDATED = "Out of date"
 MOST_KEPT = 4  # FEM meshes that undo can bring back
 FAILED = "Failed"
+HIDDEN = ("MadeFrom", "Proposal")   # for programs alone
 
 COMMON = (
     ("App::PropertyBool", "AutoUpdate", "HexCon", "Make the content anew on recompute when an "
@@ -42,7 +43,7 @@ def declare(obj, rows):
         obj.addProperty(kind, name, group, meaning)
         if default is not None:
             setattr(obj, name, list(default) if kind.endswith("Enumeration") else default)
-        obj.setEditorMode(name, 2 if name == "MadeFrom" else int(read_only))
+        obj.setEditorMode(name, 2 if name in HIDDEN else int(read_only))
 
 
 def _widen(obj, kind, name, choices):
@@ -78,6 +79,7 @@ class Parametric:
     _shown = None    # fingerprint of what FemMesh holds, once it was set in this session
     _taking = False  # take() is at work: what changes is no undo
     _kept = None     # fingerprint: FemMesh, for undo
+    fault = None     # the HexconError that the last recompute ended with
 
     def __init__(self, obj):
         obj.Proxy = self
@@ -128,8 +130,10 @@ class Parametric:
     def execute(self, obj):
         """FreeCAD's recompute."""
         try:
+            self.fault = None
             self._refresh(obj)
         except HexconError as fault:
+            self.fault = fault
             cancelled = fault.code == ErrorCode.CANCELLED
             status = f"{OUTDATED}: cancelled" if cancelled else f"{FAILED}: {fault}"
             self._tell(obj, status)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object "quad surface": a FEM mesh of quads, one face group for each CAD face."""
+import base64
 import os
+import zlib
 
 import numpy as np
 
@@ -34,6 +36,11 @@ PROPERTIES = (
      True),
     ("App::PropertyString", "MethodUsed", "Result", "The method that made the quads", "", True),
     ("App::PropertyStringList", "Notes", "Result", "What is to be known of the quads", None, True),
+    ("App::PropertyLength", "SizeUsed", "Result", "Wanted length of the quads' edges that these were made with: Size, or "
+     "less where a hex mesh needed other quads; 0: not made from a solid, or by an older version", 0.0, True),
+    ("App::PropertyInteger", "Tried", "Result", "How many other surfaces of the solid were tried before this one, that of "
+     "Size being the first; -1: unknown, as an older version made it", -1, True),
+    ("App::PropertyString", "Proposal", "Result", "Hexes that the method has in mind inside the quads, packed", "", True),
 )
 
 
@@ -58,6 +65,27 @@ def job_of(source=None, file="", example="", size=1.0, method="auto"):
     return None
 
 
+def mark_of_try(mark, tried):
+    """The fingerprint of the surface that a hex mesh took after so many others, of that of job_of, the first."""
+    return fingerprint(mark, "try", int(tried)) if tried > 0 else mark
+
+
+def take_another(obj, surface):
+    """Give a quad surface object another surface of its solid, which a hex mesh of it found good.
+
+    It stands for the present inputs: the object stays as it is until they change. Others that are made from the
+    object are recomputed next.
+    """
+    first = obj.Proxy.first_try(obj)
+    if first is None:
+        raise ToolError(f"what {obj.Label} was made from is gone", FaultCode.BAD_SHAPE)
+    obj.Proxy.take(obj, surface, mark_of_try(first[0], surface.tried))
+    obj.Proxy.fault = None
+    for user in obj.InList:
+        user.touch()
+    obj.purgeTouched()
+
+
 def _file_mark(path):
     try:
         return fingerprint("file", os.path.basename(path), os.stat(path).st_size, os.stat(path).st_mtime_ns)
@@ -72,12 +100,23 @@ class QuadSurfaceObject(Parametric):
     PROPERTIES = PROPERTIES
 
     def inputs(self, obj):
+        found = self.first_try(obj)
+        if found is None or mark_of_try(found[0], obj.Tried) != obj.MadeFrom:
+            return found
+        return obj.MadeFrom, found[1]   # the quads that a hex mesh found good stay
+
+    @staticmethod
+    def first_try(obj):
+        """job_of for what the object says: the quads of the size asked for."""
         return job_of(obj.Source, obj.File, obj.Example, obj.Size.Value, obj.Method)
 
     def store(self, obj, result):
         facts = facts_of(result)
         obj.FemMesh = to_quad_femmesh(result)
-        set_changed(obj, {**facts, "MethodUsed": result.method, "Notes": list(result.notes)})
+        set_changed(obj, {**facts, "MethodUsed": result.method, "Notes": list(result.notes), "Tried": result.tried,
+                          "Proposal": packed(result.hexes)})
+        if obj.SizeUsed.Value != result.size:
+            obj.SizeUsed = result.size
 
 
 def facts_of(surface):
@@ -121,7 +160,26 @@ def surface_of(obj):
     for group in femmesh.Groups:
         number = int(femmesh.getGroupName(group)[len("Face"):])
         face_of_quad[[rank[face] for face in femmesh.getGroupElements(group)]] = number
-    return QuadSurface(points, quads, face_of_quad, obj.MethodUsed or "given", list(obj.Notes))
+    return QuadSurface(points, quads, face_of_quad, obj.MethodUsed or "given", list(obj.Notes), obj.SizeUsed.Value,
+                       obj.Tried, unpacked(obj.Proposal))
+
+
+def packed(proposal):
+    """A QuadSurface's hexes, or None, as text for a property."""
+    if proposal is None:
+        return ""
+    inner, hexes = proposal if isinstance(proposal, tuple) else (None, proposal)
+    parts = (np.asarray(hexes, "<i8"), *(() if inner is None else (np.asarray(inner, "<f8"),)))
+    return " ".join(base64.b64encode(zlib.compress(part.tobytes())).decode() for part in parts)
+
+
+def unpacked(text):
+    """What packed was given."""
+    if not text:
+        return None
+    hexes, *inner = (zlib.decompress(base64.b64decode(part)) for part in text.split(" "))
+    hexes = np.frombuffer(hexes, "<i8").reshape(-1, 8)
+    return (np.frombuffer(inner[0], "<f8").reshape(-1, 3), hexes) if inner else hexes
 
 
 def is_quad_surface(obj):
@@ -132,14 +190,14 @@ def is_quad_surface(obj):
 def add_quad_surface(document, surface, mark, settings, name="QuadSurface"):
     """A quad surface object that holds a surface already made.
 
-    mark, settings  job_of's fingerprint and arguments for this surface
+    mark, settings  job_of's fingerprint and arguments for this surface, or for the first one tried
     No transaction of its own: see hexcon.gui.actions.
     """
     solid = settings.get("source")
     obj = new_mesh_object(document, name, solid if hasattr(solid, "Shape") else None,
                           QuadSurfaceObject, "QuadSurfaceView")
     set_settings(obj, settings)
-    obj.Proxy.take(obj, surface, mark)
+    obj.Proxy.take(obj, surface, mark_of_try(mark, surface.tried))
     obj.purgeTouched()
     return obj
 

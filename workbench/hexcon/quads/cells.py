@@ -3,10 +3,11 @@
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
+from hexcon_native import ErrorCode, HexconError
 
-from .surface import FARTHEST, given
+from .surface import given
 
-# Faces of the volume cells, as corner numbers; their sense is settled by surface.orient.
+# Faces of the volume cells, as corner numbers; their sense is settled by surface.given.
 _TRIANGLES = {"tetra": ((0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3)),
               "pyramid": ((0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)),
               "wedge": ((0, 1, 2), (3, 4, 5)), "hexahedron": ()}
@@ -21,7 +22,7 @@ def surface_from_cells(points, cells, notes=()):
 
     The quad elements are taken if they close; with volume cells present and the quads absent or open, the outer
     faces of the volume cells. Coincident points are merged only where the surface is open without.
-    Raises ToolError NOT_ALL_QUAD (elements: the triangles), BAD_SHAPE.
+    Raises ToolError NOT_ALL_QUAD (elements: the triangles), BAD_SHAPE (no cells), and HexconError as surface.given.
     """
     cells = {k: np.asarray(c, np.int64).reshape(-1, CORNERS[k]) for k, c in cells.items() if len(c)}
     for kind, rows in cells.items():
@@ -33,7 +34,7 @@ def surface_from_cells(points, cells, notes=()):
         try:
             _refuse_triangles(cells.get("triangle", ()), len(cells["quad"]))
             return _closed(points, cells["quad"], notes)
-        except ToolError:
+        except HexconError:
             if not volumes:
                 raise
             notes.append("the surface elements do not close by themselves: outer faces of the volume elements taken")
@@ -72,8 +73,8 @@ def _closed(points, quads, notes):
     """given(); where the surface is open, once more with coincident points merged."""
     try:
         return given(points, quads, notes)
-    except ToolError as fault:
-        if not (np.abs(points) <= FARTHEST).all():
+    except HexconError as fault:
+        if fault.code is not ErrorCode.NOT_CLOSED or not np.isfinite(points).all():
             raise
         same = coincident(points)
         if len(np.unique(same)) == len(points):
@@ -82,7 +83,7 @@ def _closed(points, quads, notes):
         notes = notes + [f"{len(points) - len(np.unique(same))} points merged with others at the same place"]
         try:
             return given(points, merged, notes)
-        except ToolError:
+        except HexconError:
             raise fault from None
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Figures of a quad surface that need no core: what no hex can stand on, and the ways of its loops. Plain numpy."""
+"""Figures of a quad surface beside the core's: what no hex can stand on, and the ways of its loops. Plain numpy."""
 import numpy as np
 
 from .surface import edge_partners
@@ -8,7 +8,7 @@ from .surface import edge_partners
 def face_doublets(quads):
     """(k,2) int64 pairs of quads that share two edges or more, each once.
 
-    quads (n,4) closed. Raises ToolError BAD_SHAPE if not.
+    quads (n,4) closed. Raises HexconError NOT_CLOSED if not.
     """
     quad, other = np.arange(4 * len(quads)) // 4, edge_partners(quads) // 4
     pairs, edges = np.unique(np.column_stack([quad, other])[quad < other], axis=0, return_counts=True)
@@ -33,7 +33,7 @@ def loop_edges(quads):
     """The dual loops as the edges they enter quads by: a list of int64 arrays, each loop once.
 
     An edge is 4 q + k, edge k of quad q (see surface.edges_of); a loop goes on through the opposite edge. quads
-    (n,4) closed, outward or all inward. Raises ToolError BAD_SHAPE if not closed. Cost: linear, in plain Python.
+    (n,4) closed, outward or all inward. Raises HexconError NOT_CLOSED if not closed. Cost: linear, in plain Python.
     """
     edges = np.arange(4 * len(quads))
     opposite = edges // 4 * 4 + (edges + 2) % 4

@@ -2,6 +2,7 @@
 """Solid to surface: the caller's side of the gmsh subprocess."""
 import math
 import os
+from dataclasses import replace
 
 import numpy as np
 
@@ -45,7 +46,8 @@ def surface_from_solid(shape_or_file, size, method="auto", *, care=0, timeout=12
     face_numbers = numbers_of()
     if face_numbers is not None:
         faces = np.asarray(face_numbers, np.int64)[faces - 1]
-    return finished(found["points"], found["quads"], faces, str(found["method"]), notes)
+    return replace(finished(found["points"], found["quads"], faces, str(found["method"]), notes, found.get("hexes")),
+                   size=float(size))
 
 
 def _check_options(size, method, timeout):

@@ -26,7 +26,8 @@ def _run(job, link):
     off, gaps = distances(solid, mesh)
     return {"points": mesh["points"], "quads": mesh["quads"], "faces": mesh["faces"], "off_cad": off,
             "cad_gap": gaps, "tolerance": solid.tolerance, "method": method,
-            "notes": np.array(notes + mesh["notes"], dtype=str)}
+            "notes": np.array(notes + mesh["notes"], dtype=str),
+            **{name: mesh[name] for name in ("hexes",) if name in mesh}}
 
 
 def _mesh(solid, job, link):
