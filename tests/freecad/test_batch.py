@@ -83,7 +83,7 @@ def test_all_parts_done(parts):
 @pytest.mark.parametrize("arguments,words", [
     (("{parts}",), "--size"), (("{parts}/none", "--size", "5"), "there is no folder"),
     (("{parts}", "--size", "5", "--write", ".xyz"), ".xyz"),
-    (("{parts}", "--size", "5", "--method", "swept", "--layers", "2"), "choose method cells"),
+    (("{parts}", "--size", "5", "--method", "swept", "--layers", "2"), "only for method cells"),
     (("{parts}", "--size", "5", "--out", "{parts}/notes.txt"), "cannot make")])
 def test_wrong_usage(parts, arguments, words):
     before = sorted(parts.iterdir())

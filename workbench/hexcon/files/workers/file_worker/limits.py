@@ -21,7 +21,7 @@ def machine_memory():
 
 def keep_to(seconds, memory=None):
     """Limit processor time (s), address space and what is written (bytes, at most the machine's memory); no core is
-    dumped."""
+    dumped. A lower limit that is there already stays."""
     seconds = min(int(seconds), 10 ** 8)    # more is no limit, and no number for the system
     memory = min(memory or machine_memory(), machine_memory())
     if hasattr(signal, "alarm"):
@@ -31,8 +31,8 @@ def keep_to(seconds, memory=None):
     for name, most in (("RLIMIT_CPU", seconds + 1), ("RLIMIT_AS", memory), ("RLIMIT_FSIZE", memory),
                        ("RLIMIT_CORE", 0)):
         try:
-            hard = resource.getrlimit(getattr(resource, name))[1]
-            most = most if hard == resource.RLIM_INFINITY else min(most, hard)
-            resource.setrlimit(getattr(resource, name), (most, hard))
+            given = resource.getrlimit(getattr(resource, name))
+            most = min([most, *(limit for limit in given if limit != resource.RLIM_INFINITY)])
+            resource.setrlimit(getattr(resource, name), (most, given[1]))
         except (AttributeError, OSError, ValueError):   # a system without this limit
             pass
