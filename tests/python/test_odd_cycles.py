@@ -125,7 +125,7 @@ def test_tori(m, n, shift):
 
 def test_all_methods_refuse_but_four_split():
     points, quads = tube(circle, 6, 3, 1.0)
-    for method in hn.METHODS:
+    for method in hn.METHOD_CHOICES:
         if method != "four-split":
             assert refusal(points, quads, method).code == Code.NO_HEX_MESH
     # it fills no body, and fails for its own reason
@@ -268,7 +268,7 @@ def test_linked_cavities(first, second):
     """A longitude bounds together with a meridian of the other tube."""
     surface = linked(first, second)
     turns = [tuple(case[3:]) or (0,) for case in (first, second)]
-    (m, n, *_), (k, l, *_) = first, second
+    (m, n, *_), (k, l, *_) = first, second  # noqa: E741
     expected = (m * n + k * l) % 2 == 0 and (m + turns[0][0] * n + l) % 2 == 0 and (k + turns[1][0] * l + n) % 2 == 0
     assert told(*surface) == expected == by_tetrahedra(*surface)
 
