@@ -8,7 +8,7 @@ from hexcon_native import HexconError
 
 from . import actions
 from .panel import Panel, hourglass
-from .prepared import prepared
+from hexcon.document.prepared import prepared
 
 
 class DrawingPanel(Panel):

@@ -7,7 +7,7 @@ from hexcon.errors import FaultCode, ToolError
 from hexcon.quads import METHOD_TABLE as SURFACE_METHOD_TABLE
 from hexcon_native import METHOD_CHOICES, METHOD_TABLE
 
-from . import words
+from hexcon.judging import words
 
 translate = FreeCAD.Qt.translate
 

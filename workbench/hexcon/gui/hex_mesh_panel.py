@@ -10,11 +10,11 @@ from hexcon_native import HexconError
 
 from hexcon import preferences
 
-from . import words
+from hexcon.judging import words
 from .filling import Filling, guess, written
 from .icons import icon_path
 from .panel import Panel, hourglass
-from .prepared import prepared
+from hexcon.document.prepared import prepared
 
 translate = FreeCAD.Qt.translate
 

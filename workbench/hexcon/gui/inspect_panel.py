@@ -12,7 +12,9 @@ from hexcon.inspection.opening import InspectedMesh
 from hexcon.objects.hex_mesh import stages_of_object
 from hexcon.pictures.palette import quality_colours
 
-from . import inside, looking, words
+from hexcon.judging import words
+
+from . import inside, looking
 from .camera import line_of_sight
 from .drawing_panel import DrawingPanel, choice_table, fill_table
 from .histogram import Histogram

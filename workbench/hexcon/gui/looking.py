@@ -12,7 +12,7 @@ from hexcon.inspection.opening import InspectedMesh, Opening
 from hexcon.objects.hex_mesh import stages_of_object
 from hexcon.quads.documents import surface_from_object
 
-from .prepared import taken
+from hexcon.document.prepared import taken
 
 
 def inspect_mesh_object(mesh_object):
@@ -86,3 +86,12 @@ def hide_loops(mesh_object):
     """End show_loops: the object's own display as it was."""
     from . import loop_curves
     loop_curves.drawings.remove(mesh_object)
+
+
+def mark_hexes(mesh_object, elements):
+    """Show these elements (FreeCAD's numbers) in red, inside ones too; none: as before.
+
+    Needs FreeCAD's window. A matter of the view: the document does not change.
+    """
+    from .marking import mark
+    mark(mesh_object, elements)

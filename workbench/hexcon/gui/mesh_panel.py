@@ -12,12 +12,12 @@ from hexcon.topological import is_topological
 
 from hexcon import preferences
 
-from . import words
+from hexcon.judging import words
 from .filling import Filling, choose, guess, written
 from .icons import icon_path
-from .making_quads import default_size
+from hexcon.document.making_quads import default_size
 from .panel import Panel, hourglass
-from .prepared import prepared
+from hexcon.document.prepared import prepared
 from .sizing import method_box, size_box
 
 translate = FreeCAD.Qt.translate

@@ -11,7 +11,7 @@ from hexcon_native import ErrorCode
 
 from hexcon.quads.surface import edges_along
 
-from . import words
+from hexcon.judging import words
 from .overlay import Overlay
 from .work import Work, in_words
 
