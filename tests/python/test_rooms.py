@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The rooms of the package hexcon: who may import whom. A room imports what stands before it here, and nothing after."""
+"""The rooms of the package hexcon: who may import whom. A room imports what stands before it, and nothing after."""
 import ast
 import pathlib
 
@@ -130,5 +130,6 @@ MACROS = """CheckReport EXAMPLES check_mesh_object default_size hide_inside hide
 
 def test_names_in_macros():
     tree = ast.parse(MODULES["hexcon.gui.actions"].read_text(encoding="utf-8"))
-    given = {alias.asname or alias.name for node in tree.body if isinstance(node, ast.ImportFrom) for alias in node.names}
+    given = {alias.asname or alias.name for node in tree.body if isinstance(node, ast.ImportFrom)
+             for alias in node.names}
     assert given >= set(MACROS)

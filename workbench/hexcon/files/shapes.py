@@ -7,8 +7,8 @@ from .archive import check_document
 
 
 def from_shape(shape):
-    """(callable(path) that writes the one solid of a FreeCAD shape as BREP, numbers of the solid's faces in the shape or
-    None if they are the same). Raises ToolError BAD_OPTION, BAD_SHAPE."""
+    """(callable(path) that writes the one solid of a FreeCAD shape as BREP, numbers of the solid's faces in the shape
+    or None if they are the same). Raises ToolError BAD_OPTION, BAD_SHAPE."""
     if not hasattr(shape, "exportBrep"):
         raise ToolError(f"expected a FreeCAD shape or a path, not {type(shape).__name__}", FaultCode.BAD_OPTION)
     if shape.isNull():
@@ -35,8 +35,8 @@ def _face_numbers(shape, solid):
 
 
 def shape_in_document_file(path):
-    """The Shape of the one solid in a .FCStd file; needs FreeCAD, which a damaged file may end: files.solid calls this in a
-    process of its own.
+    """The Shape of the one solid in a .FCStd file; needs FreeCAD, which a damaged file may end: files.solid calls this
+    in a process of its own.
 
     Objects other objects are made from (the tools of a cut, the features below a body's tip) do not count.
     Raises ToolError FREECAD_MISSING, FILE_FORMAT, BAD_SHAPE (names the solids if there are several).

@@ -4,14 +4,14 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-from hexcon_native import HexconError
-
+from hexcon.document.prepared import prepared
 from hexcon.judging import words
 from hexcon.judging.report import check_mesh, read_mesh_object
+from hexcon_native import HexconError
+
 from .icons import icon_path
 from .looking import mark_hexes
 from .panel import Panel, hourglass
-from hexcon.document.prepared import prepared
 
 translate = FreeCAD.Qt.translate
 

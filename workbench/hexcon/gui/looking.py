@@ -5,14 +5,13 @@ A matter of the view: the document does not change, and what is drawn is neither
 What is shown of an object ends by hide_..., with the object, or when its mesh changes. These are
 calls for macros; hexcon.gui.actions has them too.
 """
+from hexcon.document.prepared import taken
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh import from_femmesh
 from hexcon.inspection.dual_loops import LoopedSurface
 from hexcon.inspection.opening import InspectedMesh, Opening
 from hexcon.objects.hex_mesh import stages_of_object
 from hexcon.quads.documents import surface_from_object
-
-from hexcon.document.prepared import taken
 
 
 def inspect_mesh_object(mesh_object):

@@ -5,6 +5,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from hexcon.judging import words
+
 from .work import Work
 
 translate = FreeCAD.Qt.translate

@@ -18,7 +18,9 @@ _QUADS = {"tetra": (), "pyramid": ((0, 1, 2, 3),),
 
 
 def surface_from_cells(points, cells, notes=()):
-    """QuadSurface "given" from points (P,3) and cells: dict of kind (keys of files.cell_kinds.CORNERS) -> (k, corners) point rows.
+    """QuadSurface "given" from points (P,3) and cells: dict of kind -> (k, corners) point rows.
+
+    The kinds are those of files.cell_kinds.CORNERS.
 
     The quad elements are taken if they close; with volume cells present and the quads absent or open, the outer
     faces of the volume cells. Coincident points are merged only where the surface is open without.

@@ -15,8 +15,8 @@ def surface_from_file(path, *, progress=None):
     outer faces of these. Second-order elements give their corners. Unused points are dropped, coincident points
     merged only if the surface is open otherwise; notes tell. All but .unv are read by a library in a process of its
     own (see files.reading); progress is called as it runs, and what it raises cancels and comes out here.
-    Raises ToolError FILE_IO, FILE_FORMAT, TOOL_MISSING, TOOL_TIMEOUT, NOT_ALL_QUAD (says how many triangles), BAD_SHAPE,
-    and HexconError for what is no closed surface, as surface.given.
+    Raises ToolError FILE_IO, FILE_FORMAT, TOOL_MISSING, TOOL_TIMEOUT, NOT_ALL_QUAD (says how many triangles),
+    BAD_SHAPE, and HexconError for what is no closed surface, as surface.given.
     An odd surface, or one of several parts, is returned: that is for the core to judge.
     """
     path = regular_file(path)

@@ -38,7 +38,8 @@ def surface_from_solid(shape_or_file, size, method="auto", *, care=0, timeout=12
     _check_options(size, method, timeout)
     source, numbers_of = _source(shape_or_file, progress)
     try:
-        found = run_job("gmsh_worker", source, {"method": method, "size": float(size), "care": int(care)}, timeout, progress)
+        found = run_job("gmsh_worker", source, {"method": method, "size": float(size), "care": int(care)}, timeout,
+                        progress)
     except ToolError as fault:
         raise _naming_file(fault, shape_or_file) from fault
     notes = [str(n) for n in found["notes"]]
@@ -82,7 +83,7 @@ def _naming_file(fault, shape_or_file):
 
 
 def _source(shape_or_file, progress):
-    """(callable(folder) -> CAD path, callable() -> face numbers of the caller's shape or None if they are 1, 2, 3, ...);
+    """(callable(folder) -> CAD path, callable() -> face numbers of the caller's shape, None if they are 1, 2, 3, ...);
     the second is called after the first."""
     if not isinstance(shape_or_file, (str, os.PathLike)):
         write, face_numbers = from_shape(shape_or_file)
