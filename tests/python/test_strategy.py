@@ -194,7 +194,8 @@ def test_the_worker_hands_hexes_over(tmp_path):
     """A result of the subprocess may hold hexes; of other shapes it is damaged."""
     from hexcon import answers
     arrays = {"points": np.zeros((8, 3)), "quads": np.zeros((6, 4), int), "faces": np.ones(6, int),
-              "off_cad": np.zeros(8), "cad_gap": np.zeros(8), "tolerance": 0.0, "method": "sweep", "notes": np.array([], dtype=str)}
+              "off_cad": np.zeros(8), "cad_gap": np.zeros(8), "tolerance": 0.0, "method": "sweep",
+              "notes": np.array([], dtype=str)}
     path = str(tmp_path / "result.npz")
     np.savez(path, **arrays)
     assert "hexes" not in answers.read_arrays(path, "gmsh", answers.RESULTS["gmsh_worker"])

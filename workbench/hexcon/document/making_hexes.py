@@ -5,9 +5,11 @@ These are calls for macros; hexcon.gui.actions has them too.
 """
 from hexcon import freecad_compat, preferences
 from hexcon.meshing import mesh_solid
-from hexcon.objects import hex_mesh as hex_mesh_objects
-from hexcon.objects import quad_surface as quad_surface_objects
-from hexcon.objects import quality_report as quality_report_objects
+from hexcon.objects import (
+    hex_mesh as hex_mesh_objects,
+    quad_surface as quad_surface_objects,
+    quality_report as quality_report_objects,
+)
 from hexcon.objects.parametric import solid_shape
 from hexcon.objects.quad_surface import TIMEOUT
 from hexcon.topological import refuse_topological_method

@@ -13,10 +13,19 @@ from hexcon.document.example_documents import EXAMPLES, open_example
 from hexcon.document.making_hexes import make_hex_mesh, make_quality_report, mesh_solid_object, update_hex_mesh
 from hexcon.document.making_quads import default_size, import_quad_surface, make_quad_surface, update_quad_surface
 
-from .looking import (hide_inside, hide_loops, inspect_mesh_object, loops_of_object, mark_hexes, show_inside,
-                      show_loops, zoom_to_hex)
+from .looking import (
+    hide_inside,
+    hide_loops,
+    inspect_mesh_object,
+    loops_of_object,
+    mark_hexes,
+    show_inside,
+    show_loops,
+    zoom_to_hex,
+)
 
 __all__ = ["EXAMPLES", "CheckReport", "check_mesh_object", "default_size", "hide_inside", "hide_loops",
-           "import_quad_surface", "inspect_mesh_object", "into_analysis", "load_and_solve", "loops_of_object", "make_hex_mesh",
-           "make_quad_surface", "make_quality_report", "mark_hexes", "mesh_solid_object", "open_example",
-           "show_displacement", "show_inside", "show_loops", "update_hex_mesh", "update_quad_surface", "zoom_to_hex"]
+           "import_quad_surface", "inspect_mesh_object", "into_analysis", "load_and_solve", "loops_of_object",
+           "make_hex_mesh", "make_quad_surface", "make_quality_report", "mark_hexes", "mesh_solid_object",
+           "open_example", "show_displacement", "show_inside", "show_loops", "update_hex_mesh", "update_quad_surface",
+           "zoom_to_hex"]
