@@ -19,7 +19,7 @@ CALLS = ("translate", "QT_TRANSLATE_NOOP")
 def sources():
     """The Python files that hold texts, in a fixed order."""
     yield os.path.join(ROOT, "InitGui.py")
-    folder = os.path.join(ROOT, "workbench", "hexcon", "gui")
+    folder = os.path.join(ROOT, "workbench", "hexcon")
     paths = glob.glob(os.path.join(folder, "**", "*.py"), recursive=True)
     yield from sorted(paths, key=lambda path: os.path.relpath(path, folder).split(os.sep))
 

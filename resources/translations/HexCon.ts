@@ -401,6 +401,26 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>an odd number: no hex mesh has such a boundary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an even number, but a closed path of edges that bounds a surface inside is odd: no hex mesh has such a boundary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an even number, but the surface is not known to bound a solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an even number; whether hexes can fill it is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an even number: hexes can fill it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>first order (C3D8)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -409,19 +429,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{quads}, an odd number: no hex mesh has such a boundary</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{quads}, an even number, but a closed path of edges that bounds a surface inside is odd: no hex mesh has such a boundary</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{quads}, an even number: hexes can fill it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{quads}, an even number</source>
+        <source>{quads}, {even}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -526,14 +534,6 @@
     </message>
     <message>
         <source>{stage}: {count}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>even: hexes can fill it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>ODD: no hex mesh has such a boundary</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

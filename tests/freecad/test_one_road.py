@@ -103,7 +103,7 @@ def first_surfaces(shape, size, count):
 def test_the_surface_object_follows_the_tries(freecad, meshed, monkeypatch):
     """It keeps the size asked for, shows the one used, and is not made anew for nothing; by both roads alike."""
     solid, surface, mesh = meshed
-    name, shape, size = wedge()
+    _, shape, size = wedge()
     counts = first_surfaces(shape, size, 2)
     assert counts[0] != counts[1]
     refuse_surfaces(monkeypatch, counts[:1])
@@ -129,7 +129,7 @@ def test_a_surface_that_cannot_be_made_is_tried_again(freecad, meshed, monkeypat
     from hexcon.errors import FaultCode, ToolError
     from hexcon.meshing import strategy
     solid, surface, mesh = meshed
-    name, shape, size = wedge()
+    _, shape, size = wedge()
     real = quad_surface.surface_from_solid
 
     def make(shape_or_file, wanted, *arguments, **options):
@@ -148,7 +148,7 @@ def test_a_surface_that_cannot_be_made_is_tried_again(freecad, meshed, monkeypat
 def test_a_surface_of_its_own_is_taken_as_it_is(freecad, meshed, monkeypatch):
     """A mesh made from the surface object asks for no other quads; one that others changed is made anew."""
     solid, surface, mesh = meshed
-    name, shape, size = wedge()
+    _, shape, size = wedge()
     second = actions.make_hex_mesh(surface)
     assert mesh.TryOtherSurfaces and not second.TryOtherSurfaces
     refuse_surfaces(monkeypatch, first_surfaces(shape, size, 1))
@@ -164,7 +164,7 @@ def test_a_surface_of_its_own_is_taken_as_it_is(freecad, meshed, monkeypatch):
 
 def test_undo_of_a_try(freecad, meshed, monkeypatch):
     solid, surface, mesh = meshed
-    document, (name, shape, size) = solid.Document, wedge()
+    document, (_, shape, size) = solid.Document, wedge()
     solid.Shape, surface.Size = shape, size
     document.recompute()
     document.UndoMode = 1
@@ -180,7 +180,7 @@ def test_undo_of_a_try(freecad, meshed, monkeypatch):
 
 def test_large_triangle_surfaces_are_diced_by_both_roads(freecad, meshed):
     solid, surface, mesh = meshed
-    name, shape, size = next(row for row in shapes() if row[0] == "crossed holes")
+    _, shape, size = next(row for row in shapes() if row[0] == "crossed holes")
     solid.Shape, surface.Size = shape, size
     solid.Document.recompute()
     made = hexcon.mesh_solid(shape, size)

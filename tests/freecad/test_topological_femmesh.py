@@ -111,7 +111,8 @@ def test_solving_by_override(doc, box_in, mesh):
 # --------------------------------------------------------------------- what the window's calls say
 
 def test_actions_refuse_before_the_work(doc, box_in, monkeypatch):
-    from hexcon.gui import actions, making_hexes
+    from hexcon.document import making_hexes
+    from hexcon.gui import actions
     solid = box_in(SIZE)
     monkeypatch.setattr(making_hexes, "mesh_solid", lambda *_, **__: pytest.fail("work was done"))
     refused(actions.mesh_solid_object, solid, 1.0, method="geode")
@@ -119,7 +120,8 @@ def test_actions_refuse_before_the_work(doc, box_in, monkeypatch):
 
 
 def test_actions_by_override(doc, box_in, mesh, monkeypatch):
-    from hexcon.gui import actions, making_hexes
+    from hexcon.document import making_hexes
+    from hexcon.gui import actions
     solid = box_in(SIZE)
     monkeypatch.setattr(making_hexes, "mesh_solid", lambda *_, **__: mesh)
     made = actions.mesh_solid_object(solid, 1.0, method="geode", allow_topological=True)
@@ -133,7 +135,8 @@ def test_actions_by_override(doc, box_in, mesh, monkeypatch):
 
 
 def test_a_mesh_that_is_topological_whatever_the_method_said(doc, box_in, mesh, monkeypatch):
-    from hexcon.gui import actions, making_hexes
+    from hexcon.document import making_hexes
+    from hexcon.gui import actions
     solid = box_in(SIZE)
     monkeypatch.setattr(making_hexes, "mesh_solid", lambda *_, **__: mesh)
     refused(actions.mesh_solid_object, solid, 1.0)
@@ -141,7 +144,7 @@ def test_a_mesh_that_is_topological_whatever_the_method_said(doc, box_in, mesh, 
 
 
 def test_words_of_what_was_not_checked(mesh):
-    from hexcon.gui import words
+    from hexcon.judging import words
     mesh.certificate = mesh.quality = None
     mesh.report = {"log": []}
     said = words.as_text(words.of_mesh(mesh))

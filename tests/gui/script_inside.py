@@ -396,7 +396,7 @@ def loops_are_drawn():
     wait(panel_ready, "the loops")
     FreeCADGui.Selection.clearSelection()
     say(words())
-    assert "16 quads, even" in words() and "2; crossing themselves: 1" in words(), words()
+    assert "16 quads, an even number: hexes can fill it" in words() and "2; crossing themselves: 1" in words(), words()
     table = find(QtGui.QTableWidget, "loops")
     told = [[table.item(row, column).text() for column in (0, 1)] for row in range(table.rowCount())]
     say(told)
@@ -435,7 +435,7 @@ def an_odd_surface_has_no_pairs():
     select(odd)
     open_panel("HexCon_Loops")
     wait(panel_ready, "the loops")
-    assert "7 quads, ODD" in words(), words()
+    assert "7 quads, an odd number" in words(), words()
     find(QtGui.QCheckBox, "pairs").click()
     say(words())
     assert not find(QtGui.QCheckBox, "pairs").isChecked() and not curves(odd).pairs

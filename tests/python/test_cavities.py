@@ -10,7 +10,6 @@ from surfaces import box, diced, diced_hull, permuted, tetrahedron
 
 import hexcon
 import hexcon_native as hn
-from hexcon.errors import ToolError
 from hexcon.quads.surface import given
 
 Code = hn.ErrorCode
@@ -239,4 +238,5 @@ def moebius_torus():
 
     def at(a, b):
         return 4 * (a % 5) + np.where(a < 5, b % 4, -b % 4)
-    return np.random.default_rng(0).random((20, 3)), np.column_stack([at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)])
+    quads = np.column_stack([at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)])
+    return np.random.default_rng(0).random((20, 3)), quads

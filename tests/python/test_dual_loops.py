@@ -13,7 +13,8 @@ import hexcon  # noqa: E402
 import hexcon_native as hn  # noqa: E402
 from hexcon.errors import ToolError  # noqa: E402
 from hexcon.inspection.dual_loops import LoopedSurface  # noqa: E402
-from hexcon.inspection.pairs import bars_of_pairs, colours_of_pairs  # noqa: E402
+from hexcon.inspection.pairs import bars_of_pairs  # noqa: E402
+from hexcon.pictures.pair_colours import colours_of_pairs  # noqa: E402
 from hexcon.quads.surface import QuadSurface, edge_partners, edges_of, given  # noqa: E402
 
 

@@ -22,7 +22,8 @@ PROPOSAL = np.array([[0, 1, 2, 3, 4, 5, 6, 7]])
 
 
 def surface_of(count=24, method="given", hexes=None):
-    return QuadSurface(np.zeros((8, 3)), np.zeros((count, 4), np.int64), np.zeros(count, np.int64), method, [], hexes=hexes)
+    quads, faces = np.zeros((count, 4), np.int64), np.zeros(count, np.int64)
+    return QuadSurface(np.zeros((8, 3)), quads, faces, method, [], hexes=hexes)
 
 
 class Core:
@@ -100,7 +101,8 @@ def test_surfaces_that_cannot_be_made(monkeypatch, surfaces, code, elements, tri
 def test_a_first_surface_that_is_there_is_taken(monkeypatch, surfaces):
     core = Core(monkeypatch, ErrorCode.NOT_CERTIFIED)
     mesh = Strategy().of_solid("part.step", 10.0, first=surface_of(16))
-    assert surfaces.asked == [(9.4, 1)] and [count for _, count, _ in core.calls] == [16, 24] and mesh.surface.tried == 1
+    assert surfaces.asked == [(9.4, 1)] and mesh.surface.tried == 1
+    assert [count for _, count, _ in core.calls] == [16, 24]
 
 
 @pytest.mark.parametrize("count,method,options,methods", [
@@ -121,7 +123,8 @@ def test_dicing_that_fails(monkeypatch, surfaces):
     assert mesh_solid("part.step", 10.0).surface.tried == 1 and core.methods == ["diced", "auto"]
     core = Core(monkeypatch, ErrorCode.NOT_CERTIFIED)
     mesh = mesh_quad_surface(surfaces.made[0], allow_uncertified=True)
-    assert core.methods == ["diced", "auto"] and mesh.report["log"] == ["diced: NOT_CERTIFIED: no diced", "from the core"]
+    assert core.methods == ["diced", "auto"]
+    assert mesh.report["log"] == ["diced: NOT_CERTIFIED: no diced", "from the core"]
     assert [options["allow_uncertified"] for _, _, options in core.calls] == [False, True]
     Core(monkeypatch, ErrorCode.OUT_OF_MEMORY)
     with pytest.raises(HexconError, match="no diced"):
@@ -133,7 +136,8 @@ def test_a_proposal_comes_first(monkeypatch, surfaces):
     surfaces.made[0] = surface_of(hexes=PROPOSAL)
     mesh = mesh_solid("part.step", 10.0)
     (method, _, options), = core.calls
-    assert method == mesh.method == "proposal" and options["hexes"] is PROPOSAL and mesh.report["log"] == ["from the core"]
+    assert method == mesh.method == "proposal" and options["hexes"] is PROPOSAL
+    assert mesh.report["log"] == ["from the core"]
 
 
 def test_a_proposal_that_is_refused(monkeypatch):
@@ -178,7 +182,8 @@ def test_a_proposal_is_numbered_as_the_packed_points():
 def test_a_proposal_of_a_block(placed):
     """By the core itself: 3 x 2 x 2 hexes, handed over with the quads of the block."""
     grid = block(3, 2, 2)
-    hexes = grid.hexes if placed else np.where(np.isin(grid.hexes, grid.quads), grid.hexes, grid.hexes + len(grid.points))
+    unplaced = np.where(np.isin(grid.hexes, grid.quads), grid.hexes, grid.hexes + len(grid.points))
+    hexes = grid.hexes if placed else unplaced
     surface = finished(grid.points, grid.quads, np.ones(len(grid.quads)), "test", [], hexes)
     assert isinstance(surface.hexes, tuple) == placed
     mesh = mesh_quad_surface(surface)
@@ -188,8 +193,9 @@ def test_a_proposal_of_a_block(placed):
 def test_the_worker_hands_hexes_over(tmp_path):
     """A result of the subprocess may hold hexes; of other shapes it is damaged."""
     from hexcon import answers
-    arrays = {"points": np.zeros((8, 3)), "quads": np.zeros((6, 4), int), "faces": np.ones(6, int), "off_cad": np.zeros(8),
-              "cad_gap": np.zeros(8), "tolerance": 0.0, "method": "sweep", "notes": np.array([], dtype=str)}
+    arrays = {"points": np.zeros((8, 3)), "quads": np.zeros((6, 4), int), "faces": np.ones(6, int),
+              "off_cad": np.zeros(8), "cad_gap": np.zeros(8), "tolerance": 0.0, "method": "sweep",
+              "notes": np.array([], dtype=str)}
     path = str(tmp_path / "result.npz")
     np.savez(path, **arrays)
     assert "hexes" not in answers.read_arrays(path, "gmsh", answers.RESULTS["gmsh_worker"])

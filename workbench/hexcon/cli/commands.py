@@ -11,8 +11,9 @@ from ..calculix.deck import face_number
 from ..calculix.judging import check_loads
 from ..errors import FaultCode, ToolError
 from ..examples import example
-from ..femmesh.hexahedron import EDGES
 from ..files import WRITERS, check_method_for, read_mesh, write
+from ..judging.fillable import fillable
+from ..judging.report import check_mesh
 from ..meshing import mesh_quad_surface, mesh_solid
 from ..quads import surface_from_file
 from ..quads.solids import CAD_ENDINGS
@@ -157,12 +158,9 @@ def write_mesh(made, options):
 def check(options):
     """hexcon check MESH [--surface QUADS]"""
     found = read_mesh(options.input)
-    quads = np.asarray(found.quads)
-    if options.surface:
-        quads = _match_surface(found.points, _surface_input(options.surface))
-    certificate = hexcon_native.certify(found.points, found.hexes, quads)
-    quality = hexcon_native.quality(found.points, found.hexes)
-    curved = _curved_hexes(found)
+    surface = _match_surface(found.points, _surface_input(options.surface)) if options.surface else None
+    report = check_mesh(found, surface=surface)
+    certificate, quality, curved = report.certificate, report.quality, report.curved
     lines = [f"mesh          {len(found.hexes)} hexes, {len(found.points)} points, order "
              f"{found.order}, {len(found.quads)} boundary quads", _quality_line(quality),
              _certificate_line(certificate, 1 if len(curved) else found.order)]
@@ -178,23 +176,14 @@ def check(options):
         lines.append(f"overlapping   {_pairs(certificate.crossings)}")
     return ({"points": len(found.points), "hexes": len(found.hexes), "order": found.order,
              "quads": len(found.quads), "quality": quality.as_dict(),
-             "certificate": certificate.as_dict(), "curved": curved[:1000].tolist(),
-             "certified": certificate.certified and not len(curved)}, lines)
+             "certificate": certificate.as_dict(), "curved": curved[:1000],
+             "certified": report.certified}, lines)
 
 
 def _pairs(pairs):
     """Pairs of quads in words, no more than a line takes."""
     shown = ", ".join(f"{a} and {b}" for a, b in pairs[:10].tolist())
     return f"boundary quads {shown}{' ...' if len(pairs) > 10 else ''}"
-
-
-def _curved_hexes(mesh):
-    """Rows of the hexes of order 2 with an edge that is not straight (1e-6 of its length)."""
-    if mesh.order == 1:
-        return np.zeros(0, np.int64)
-    start, end = (mesh.points[mesh.hexes[:, EDGES[:, k]]] for k in (0, 1))
-    off = np.linalg.norm(mesh.points[mesh.hexes[:, 8:]] - (start + end) / 2, axis=2)
-    return np.flatnonzero((off > 1e-6 * np.linalg.norm(end - start, axis=2)).any(axis=1))
 
 
 def _match_surface(points, surface):
@@ -221,10 +210,6 @@ def _match_surface(points, surface):
     return ids[surface.quads]
 
 
-FILLABLE = {True: "exists, as far as topology goes", None: "not known whether one exists",
-            False: "none exists: an odd number of quads, or an odd closed path of edges that bounds inside"}
-
-
 def info(options):
     """hexcon info SURFACE"""
     surface = _surface_input(options.input)
@@ -241,7 +226,7 @@ def info(options):
         f"({int(report.loops.self_crossings.sum())} crossings)",
         f"colouring     {'black and white' if report.bipartite else 'impossible: an odd cycle'}",
         f"embedded      {'yes: it crosses and touches itself nowhere' if report.embedded else _unembedded(report)}",
-        f"hex mesh      {FILLABLE[report.fillable]}",
+        f"quads         {fillable(report.n, report.fillable, report.embedded)}",
         f"orientation   {'outward' if report.oriented else 'inward, or some shells are (meshing turns them)'}",
         f"shape         {'convex' if report.convex else 'not convex'}, star centre {center}, "
         f"volume {report.volume:.6g}",

@@ -3,6 +3,7 @@
 from hexcon import freecad_compat
 from hexcon.errors import FaultCode, ToolError
 from hexcon.topological import PROPERTY, is_topological
+from hexcon.window import attach_view
 
 from .convert import to_femmesh
 
@@ -22,8 +23,7 @@ class HexMesh:
         """Documents of older versions get today's view provider, which knows a double click."""
         view = getattr(obj, "ViewObject", None)
         if view is not None and getattr(view, "Proxy", None) in (None, 0):
-            from hexcon.gui.views import HexMeshView
-            HexMeshView(view)
+            attach_view(obj, "HexMeshView")
 
     def dumps(self):
         return None

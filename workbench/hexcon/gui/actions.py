@@ -7,15 +7,25 @@
 
 Each is one undo step and all or nothing: on a HexconError the document is as it was.
 """
-from .analyses import into_analysis, load_and_solve, show_displacement
-from .checking import CheckReport, check_mesh_object, mark_hexes
-from .example_documents import EXAMPLES, open_example
-from .looking import (hide_inside, hide_loops, inspect_mesh_object, loops_of_object, show_inside, show_loops,
-                      zoom_to_hex)
-from .making_hexes import make_hex_mesh, make_quality_report, mesh_solid_object, update_hex_mesh
-from .making_quads import default_size, import_quad_surface, make_quad_surface, update_quad_surface
+from hexcon.document.analyses import into_analysis, load_and_solve, show_displacement
+from hexcon.document.checking import CheckReport, check_mesh_object
+from hexcon.document.example_documents import EXAMPLES, open_example
+from hexcon.document.making_hexes import make_hex_mesh, make_quality_report, mesh_solid_object, update_hex_mesh
+from hexcon.document.making_quads import default_size, import_quad_surface, make_quad_surface, update_quad_surface
 
-__all__ = ["EXAMPLES", "CheckReport", "check_mesh_object", "default_size", "hide_inside", "hide_loops", "import_quad_surface",
-           "inspect_mesh_object", "into_analysis", "load_and_solve", "loops_of_object", "make_hex_mesh",
-           "make_quad_surface", "make_quality_report", "mark_hexes", "mesh_solid_object", "open_example",
-           "show_displacement", "show_inside", "show_loops", "update_hex_mesh", "update_quad_surface", "zoom_to_hex"]
+from .looking import (
+    hide_inside,
+    hide_loops,
+    inspect_mesh_object,
+    loops_of_object,
+    mark_hexes,
+    show_inside,
+    show_loops,
+    zoom_to_hex,
+)
+
+__all__ = ["EXAMPLES", "CheckReport", "check_mesh_object", "default_size", "hide_inside", "hide_loops",
+           "import_quad_surface", "inspect_mesh_object", "into_analysis", "load_and_solve", "loops_of_object",
+           "make_hex_mesh", "make_quad_surface", "make_quality_report", "mark_hexes", "mesh_solid_object",
+           "open_example", "show_displacement", "show_inside", "show_loops", "update_hex_mesh", "update_quad_surface",
+           "zoom_to_hex"]

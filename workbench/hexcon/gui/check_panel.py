@@ -4,13 +4,14 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
+from hexcon.document.prepared import prepared
+from hexcon.judging import words
+from hexcon.judging.report import check_mesh, read_mesh_object
 from hexcon_native import HexconError
 
-from . import words
-from .checking import check_mesh, mark_hexes, read_mesh_object
 from .icons import icon_path
+from .looking import mark_hexes
 from .panel import Panel, hourglass
-from .prepared import prepared
 
 translate = FreeCAD.Qt.translate
 

@@ -4,11 +4,11 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from hexcon.document.prepared import prepared
 from hexcon_native import HexconError
 
 from . import actions
 from .panel import Panel, hourglass
-from .prepared import prepared
 
 
 class DrawingPanel(Panel):

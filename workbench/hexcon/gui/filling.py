@@ -4,10 +4,9 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from hexcon.errors import FaultCode, ToolError
+from hexcon.judging import words
 from hexcon.quads import METHOD_TABLE as SURFACE_METHOD_TABLE
 from hexcon_native import METHOD_CHOICES, METHOD_TABLE
-
-from . import words
 
 translate = FreeCAD.Qt.translate
 

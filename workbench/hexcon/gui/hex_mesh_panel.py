@@ -4,17 +4,16 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
+from hexcon import preferences
+from hexcon.document.prepared import prepared
 from hexcon.errors import FaultCode, ToolError
+from hexcon.judging import words
 from hexcon.objects import hex_mesh
 from hexcon_native import HexconError
 
-from hexcon import preferences
-
-from . import words
 from .filling import Filling, guess, written
 from .icons import icon_path
 from .panel import Panel, hourglass
-from .prepared import prepared
 
 translate = FreeCAD.Qt.translate
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panel of "Inspect hex mesh"."""
 import math
+
 import FreeCAD
 import numpy as np
 from PySide import QtCore, QtGui
@@ -9,10 +10,11 @@ from hexcon.femmesh import from_femmesh
 from hexcon.inspection.cutting import AXES
 from hexcon.inspection.figures import worst
 from hexcon.inspection.opening import InspectedMesh
+from hexcon.judging import words
 from hexcon.objects.hex_mesh import stages_of_object
 from hexcon.pictures.palette import quality_colours
 
-from . import inside, looking, words
+from . import inside, looking
 from .camera import line_of_sight
 from .drawing_panel import DrawingPanel, choice_table, fill_table
 from .histogram import Histogram

@@ -5,14 +5,13 @@ A matter of the view: the document does not change, and what is drawn is neither
 What is shown of an object ends by hide_..., with the object, or when its mesh changes. These are
 calls for macros; hexcon.gui.actions has them too.
 """
+from hexcon.document.prepared import taken
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh import from_femmesh
 from hexcon.inspection.dual_loops import LoopedSurface
 from hexcon.inspection.opening import InspectedMesh, Opening
 from hexcon.objects.hex_mesh import stages_of_object
 from hexcon.quads.documents import surface_from_object
-
-from .prepared import taken
 
 
 def inspect_mesh_object(mesh_object):
@@ -86,3 +85,12 @@ def hide_loops(mesh_object):
     """End show_loops: the object's own display as it was."""
     from . import loop_curves
     loop_curves.drawings.remove(mesh_object)
+
+
+def mark_hexes(mesh_object, elements):
+    """Show these elements (FreeCAD's numbers) in red, inside ones too; none: as before.
+
+    Needs FreeCAD's window. A matter of the view: the document does not change.
+    """
+    from .marking import mark
+    mark(mesh_object, elements)

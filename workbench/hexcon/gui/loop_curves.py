@@ -5,7 +5,8 @@ import numpy as np
 from hexcon.freecad_compat import solid_of_mesh_object
 from hexcon.inspection.dual_loops import centres_of
 from hexcon.inspection.faces import edges_of_quads
-from hexcon.inspection.pairs import bars_of_pairs, colours_of_pairs
+from hexcon.inspection.pairs import bars_of_pairs
+from hexcon.pictures.pair_colours import colours_of_pairs
 from hexcon.pictures.palette import DARK, PLAIN, loop_colours
 
 from .drawing import Drawing, Drawings

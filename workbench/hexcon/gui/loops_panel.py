@@ -4,11 +4,11 @@ import FreeCAD
 from PySide import QtGui
 
 from hexcon.inspection.dual_loops import LoopedSurface
+from hexcon.judging import words
 from hexcon.pictures.palette import loop_colours
 from hexcon.quads.documents import surface_from_object
 from hexcon_native import HexconError
 
-from . import words
 from .drawing_panel import DrawingPanel, choice_table, fill_table
 from .icons import icon_path
 

@@ -4,20 +4,19 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
+from hexcon import preferences
+from hexcon.document.making_quads import default_size
+from hexcon.document.prepared import prepared
 from hexcon.errors import FaultCode, ToolError
+from hexcon.judging import words
 from hexcon.meshing import mesh_solid
 from hexcon.objects.parametric import solid_shape
 from hexcon.objects.quad_surface import TIMEOUT
 from hexcon.topological import is_topological
 
-from hexcon import preferences
-
-from . import words
 from .filling import Filling, choose, guess, written
 from .icons import icon_path
-from .making_quads import default_size
 from .panel import Panel, hourglass
-from .prepared import prepared
 from .sizing import method_box, size_box
 
 translate = FreeCAD.Qt.translate

@@ -7,11 +7,10 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from hexcon.judging import words
+from hexcon.quads.surface import edges_along
 from hexcon_native import ErrorCode
 
-from hexcon.quads.surface import edges_along
-
-from . import words
 from .overlay import Overlay
 from .work import Work, in_words
 

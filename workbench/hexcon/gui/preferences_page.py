@@ -6,10 +6,11 @@ import FreeCAD
 from PySide import QtGui
 
 from hexcon import preferences
+from hexcon.judging import words
 from hexcon.quads import METHOD_TABLE as SURFACE_METHOD_TABLE
 from hexcon_native import METHOD_CHOICES, METHOD_TABLE
 
-from . import filling, words
+from . import filling
 from .setup_check import check_setup
 
 translate = FreeCAD.Qt.translate

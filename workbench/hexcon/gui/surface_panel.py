@@ -6,17 +6,16 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
+from hexcon import preferences
+from hexcon.document.making_quads import default_size
+from hexcon.document.prepared import prepared
+from hexcon.judging import words
 from hexcon.objects import quad_surface
 from hexcon_native import HexconError
 
-from hexcon import preferences
-
-from . import words
 from .filling import choose
 from .icons import icon_path
-from .making_quads import default_size
 from .panel import Panel, hourglass
-from .prepared import prepared
 from .sizing import method_box, size_box
 
 translate = FreeCAD.Qt.translate

@@ -4,7 +4,8 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from . import words
+from hexcon.judging import words
+
 from .work import Work
 
 translate = FreeCAD.Qt.translate

@@ -15,8 +15,8 @@ from .filling import mesh_surface
 from .progress import deadline_of, in_budget, limited, raising
 
 _ABOUT_THE_SURFACE = (ErrorCode.NOT_SWEPT, ErrorCode.NO_SHEETS, ErrorCode.NOT_DICED, ErrorCode.NOT_STAR_SHAPED,
-                      ErrorCode.UNFILLABLE_QUAD, ErrorCode.NOT_BIPARTITE, ErrorCode.NO_HEX_MESH, ErrorCode.NOT_CERTIFIED,
-                      ErrorCode.SELF_INTERSECTING)
+                      ErrorCode.UNFILLABLE_QUAD, ErrorCode.NOT_BIPARTITE, ErrorCode.NO_HEX_MESH,
+                      ErrorCode.NOT_CERTIFIED, ErrorCode.SELF_INTERSECTING)
 
 # A surface of another size may do where these are the matter.
 _WORTH_ANOTHER = (*_ABOUT_THE_SURFACE, ErrorCode.NON_MANIFOLD_VERTEX, ErrorCode.NON_MANIFOLD_EDGE, ErrorCode.NOT_CLOSED,
@@ -110,7 +110,8 @@ class Strategy:
         refused = []
         if surface.hexes is not None and self._is_free():
             try:
-                return self._filled(surface, "proposal", progress, deadline, hexes=surface.hexes, allow_uncertified=False)
+                return self._filled(surface, "proposal", progress, deadline, hexes=surface.hexes,
+                                    allow_uncertified=False)
             except HexconError as fault:
                 if fault.code in _ENDS_ALL:
                     raise
@@ -134,7 +135,8 @@ class Strategy:
         """The mesh with its surface; a fault of the core has the surface as its .surface."""
         options = in_budget({**self._options, **more}, deadline)
         try:
-            mesh = mesh_surface(surface.points, surface.quads, method, timeout=self._timeout, progress=progress, **options)
+            mesh = mesh_surface(surface.points, surface.quads, method, timeout=self._timeout, progress=progress,
+                                **options)
         except HexconError as fault:
             fault.surface = surface
             if fault.code in _ABOUT_THE_SURFACE and surface.notes:

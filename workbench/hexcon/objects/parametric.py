@@ -12,6 +12,7 @@ import hashlib
 
 from hexcon import freecad_compat
 from hexcon.errors import FaultCode, ToolError
+from hexcon.window import attach_view, wait_for
 from hexcon_native import ErrorCode, HexconError
 
 CURRENT = "Up to date"
@@ -185,14 +186,6 @@ class Parametric:
         return None
 
 
-def wait_for(job, obj):
-    """Result of job(progress) in a recompute: in the window with a progress dialog."""
-    if getattr(obj, "ViewObject", None) is None:
-        return job(None)
-    from hexcon.gui.waiting import run
-    return run(job, obj.Label)
-
-
 def is_a(obj, proxy_type):
     """Whether a document object is one of ours, of this Type."""
     return getattr(getattr(obj, "Proxy", None), "Type", None) == proxy_type
@@ -204,13 +197,6 @@ def new_mesh_object(document, name, solid, proxy, view):
     proxy(obj)
     attach_view(obj, view)
     return obj
-
-
-def attach_view(obj, view):
-    """Give the object its view provider, where there is a window."""
-    if getattr(obj, "ViewObject", None) is not None:
-        from hexcon.gui import views
-        getattr(views, view)(obj.ViewObject)
 
 
 def solid_shape(solid_object):

@@ -36,11 +36,12 @@ PROPERTIES = (
      True),
     ("App::PropertyString", "MethodUsed", "Result", "The method that made the quads", "", True),
     ("App::PropertyStringList", "Notes", "Result", "What is to be known of the quads", None, True),
-    ("App::PropertyLength", "SizeUsed", "Result", "Wanted length of the quads' edges that these were made with: Size, or "
-     "less where a hex mesh needed other quads; 0: not made from a solid, or by an older version", 0.0, True),
-    ("App::PropertyInteger", "Tried", "Result", "How many other surfaces of the solid were tried before this one, that of "
-     "Size being the first; -1: unknown, as an older version made it", -1, True),
-    ("App::PropertyString", "Proposal", "Result", "Hexes that the method has in mind inside the quads, packed", "", True),
+    ("App::PropertyLength", "SizeUsed", "Result", "Wanted length of the quads' edges that these were made with: Size, "
+     "or less where a hex mesh needed other quads; 0: not made from a solid, or by an older version", 0.0, True),
+    ("App::PropertyInteger", "Tried", "Result", "How many other surfaces of the solid were tried before this one, that "
+     "of Size being the first; -1: unknown, as an older version made it", -1, True),
+    ("App::PropertyString", "Proposal", "Result", "Hexes that the method has in mind inside the quads, packed", "",
+     True),
 )
 
 

@@ -2,7 +2,11 @@
 """The document object "quality report": what is proved and measured of a hex mesh object."""
 import numpy as np
 
-from .parametric import Parametric, attach_view, fingerprint, is_a, set_changed
+from hexcon.judging import words
+from hexcon.judging.report import check_mesh, read_mesh_object
+from hexcon.window import attach_view
+
+from .parametric import Parametric, fingerprint, is_a, set_changed
 
 PROPERTIES = (
     ("App::PropertyLink", "Mesh", "HexCon", "The FEM mesh of hexes that is judged", None, False),
@@ -26,10 +30,9 @@ def job_of(mesh_object):
 
     Raises ToolError(BAD_MESH) for a mesh of other elements.
     """
-    from hexcon.gui import checking  # needs FreeCAD: not at the top
-    found = checking.read_mesh_object(mesh_object)
+    found = read_mesh_object(mesh_object)
     mark = fingerprint(found.points, found.hexes, found.topological)
-    return mark, lambda progress: (checking.check_mesh(found, progress), np.asarray(found.hex_ids))
+    return mark, lambda progress: (check_mesh(found, progress), np.asarray(found.hex_ids))
 
 
 class QualityReportObject(Parametric):
@@ -48,7 +51,6 @@ class QualityReportObject(Parametric):
         report, hex_ids = result
         jacobians = report.quality.scaled_jacobian
         worst = np.argsort(jacobians, kind="stable")[:max(0, obj.Worst)]
-        from hexcon.gui import words  # needs FreeCAD, not its window
         set_changed(obj, {
             "Hexes": report.counts.hexes, "Nodes": report.counts.points, "Minimum": report.quality.min,
             "FivePercent": report.quality.q05, "Mean": report.quality.mean,

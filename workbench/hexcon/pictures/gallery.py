@@ -12,11 +12,12 @@ from hexcon import disk
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.hexahedron import FACES
 from hexcon.inspection.dual_loops import centres_of, dual_loops
-from hexcon.inspection.pairs import bars_of_pairs, colours_of_pairs
+from hexcon.inspection.pairs import bars_of_pairs
 from hexcon.inspection.stages import stages_of
 from hexcon.quads.surface import edges_of
 
 from . import draw, kept
+from .pair_colours import colours_of_pairs
 from .palette import DARK, PLAIN, STAGE_COLOURS, loop_colours
 
 SIZE = np.array([1000, 640])                  # pixels of a picture with one row of panels

@@ -3,6 +3,7 @@
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
+from hexcon.files.cell_kinds import CORNERS
 from hexcon_native import ErrorCode, HexconError
 
 from .surface import given
@@ -14,11 +15,12 @@ _TRIANGLES = {"tetra": ((0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3)),
 _QUADS = {"tetra": (), "pyramid": ((0, 1, 2, 3),),
           "wedge": ((0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)),
           "hexahedron": ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))}
-CORNERS = {"triangle": 3, "quad": 4, "tetra": 4, "pyramid": 5, "wedge": 6, "hexahedron": 8}
 
 
 def surface_from_cells(points, cells, notes=()):
-    """QuadSurface "given" from points (P,3) and cells: dict of kind (keys of CORNERS) -> (k, corners) point rows.
+    """QuadSurface "given" from points (P,3) and cells: dict of kind -> (k, corners) point rows.
+
+    The kinds are those of files.cell_kinds.CORNERS.
 
     The quad elements are taken if they close; with volume cells present and the quads absent or open, the outer
     faces of the volume cells. Coincident points are merged only where the surface is open without.

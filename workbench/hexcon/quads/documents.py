@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Quad surfaces and solids from FreeCAD documents."""
+"""Quad surfaces from objects of FreeCAD documents."""
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
-from hexcon.files.archive import check_document
-from hexcon.freecad_compat import freecad
 
 from .cells import surface_from_cells
 
@@ -50,33 +48,3 @@ def surface_from_femmesh(mesh):
                 cells.setdefault(kind, []).append([row[n] for n in element[:_CORNERS[kind]]])
     notes = ["second-order elements: their mid-side points are dropped"] if second else []
     return surface_from_cells(points, cells, notes)
-
-
-def shape_in_document_file(path):
-    """The Shape of the one solid in a .FCStd file; needs FreeCAD, which a damaged file may end: files.solid calls this in a
-    process of its own.
-
-    Objects other objects are made from (the tools of a cut, the features below a body's tip) do not count.
-    Raises ToolError FREECAD_MISSING, FILE_FORMAT, BAD_SHAPE (names the solids if there are several).
-    """
-    check_document(path)
-    app = freecad()
-    try:
-        document = app.openDocument(path, True)
-    except Exception as error:
-        raise ToolError(f"FreeCAD cannot open {path}: {error}", FaultCode.FILE_FORMAT) from error
-    try:
-        tops = _top_solids(document)
-        if len(tops) != 1:
-            names = ", ".join(o.Label for o in tops) or "none"
-            raise ToolError(f"{path} holds {len(tops)} solids ({names}); exactly one is needed", FaultCode.BAD_SHAPE)
-        return tops[0].Shape.copy()
-    finally:
-        app.closeDocument(document.Name)
-
-
-def _top_solids(document):
-    """Objects with a solid that no other such object is made from."""
-    solids = [o for o in document.Objects if hasattr(o, "Shape") and o.Shape.Solids]
-    names = {o.Name for o in solids}
-    return [o for o in solids if not any(user.Name in names for user in o.InList)]

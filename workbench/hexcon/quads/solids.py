@@ -8,6 +8,7 @@ import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
 from hexcon.files.regular import regular_file
+from hexcon.files.shapes import from_shape
 from hexcon.files.solid import solid_as_brep
 from hexcon.gmsh_process import run_job
 
@@ -37,7 +38,8 @@ def surface_from_solid(shape_or_file, size, method="auto", *, care=0, timeout=12
     _check_options(size, method, timeout)
     source, numbers_of = _source(shape_or_file, progress)
     try:
-        found = run_job("gmsh_worker", source, {"method": method, "size": float(size), "care": int(care)}, timeout, progress)
+        found = run_job("gmsh_worker", source, {"method": method, "size": float(size), "care": int(care)}, timeout,
+                        progress)
     except ToolError as fault:
         raise _naming_file(fault, shape_or_file) from fault
     notes = [str(n) for n in found["notes"]]
@@ -81,7 +83,7 @@ def _naming_file(fault, shape_or_file):
 
 
 def _source(shape_or_file, progress):
-    """(callable(folder) -> CAD path, callable() -> face numbers of the caller's shape or None if they are 1, 2, 3, ...);
+    """(callable(folder) -> CAD path, callable() -> face numbers of the caller's shape, None if they are 1, 2, 3, ...);
     the second is called after the first."""
     if not isinstance(shape_or_file, (str, os.PathLike)):
         write, face_numbers = from_shape(shape_or_file)
@@ -110,31 +112,3 @@ def _of_document(path, progress):
         numbers.append(solid_as_brep(path, brep, progress))
         return brep
     return write, lambda: numbers[-1]
-
-
-def from_shape(shape):
-    """(callable(path) that writes the one solid of a FreeCAD shape as BREP, numbers of the solid's faces in the shape or
-    None if they are the same). Raises ToolError BAD_OPTION, BAD_SHAPE."""
-    if not hasattr(shape, "exportBrep"):
-        raise ToolError(f"expected a FreeCAD shape or a path, not {type(shape).__name__}", FaultCode.BAD_OPTION)
-    if shape.isNull():
-        raise ToolError("the shape is empty", FaultCode.BAD_SHAPE)
-    solids = shape.Solids
-    if len(solids) != 1:
-        raise ToolError(f"the shape holds {len(solids)} solids; exactly one is needed", FaultCode.BAD_SHAPE)
-    solid = solids[0]
-    if not solid.isValid():
-        raise ToolError("the solid is not valid (Part, Check geometry tells more)", FaultCode.BAD_SHAPE)
-    if not all(shell.isClosed() for shell in solid.Shells):
-        raise ToolError("the solid is not closed", FaultCode.BAD_SHAPE)
-    return solid.exportBrep, _face_numbers(shape, solid)
-
-
-def _face_numbers(shape, solid):
-    """Numbers of the solid's faces in the shape; None where they are the same."""
-    if len(shape.Faces) == len(solid.Faces):
-        return None
-    by_hash = {}
-    for number, face in enumerate(shape.Faces, 1):
-        by_hash.setdefault(face.hashCode(), []).append((number, face))
-    return [next(number for number, face in by_hash[f.hashCode()] if face.isSame(f)) for f in solid.Faces]

@@ -87,8 +87,8 @@ def finished(points, quads, faces, method, notes, hexes=None):
     """The QuadSurface of one solid: unused points dropped, closed, outward, even, of one body, which may have cavities.
 
     points (V,3), quads (n,4), faces (n,), hexes (H,8) or None: a proposal, whose ids that no quad has are points
-    inside, at their places where all of them are rows of points. Raises ToolError BAD_SHAPE (several bodies) or ODD_SURFACE,
-    and HexconError as given.
+    inside, at their places where all of them are rows of points. Raises ToolError BAD_SHAPE (several bodies) or
+    ODD_SURFACE, and HexconError as given.
     """
     hexes = None if hexes is None else _packed_proposal(points, quads, hexes)
     points, packed = _packed(points, quads)

@@ -26,7 +26,7 @@ class Example(PanelCommand):
             run_recorded("open_example", repr(self.key))
 
 
-# Names as hexcon.gui.example_documents.EXAMPLES has them: the menu must be there without the core.
+# Names as hexcon.document.example_documents.EXAMPLES has them: the menu must be there without the core.
 EXAMPLES = (
     Example("box", QT_TRANSLATE_NOOP("HexCon_Examples", "Box")),
     Example("wedge", QT_TRANSLATE_NOOP("HexCon_Examples", "Wedge")),

@@ -41,14 +41,14 @@ def read_solid(job):
     """
     with _named():
         from hexcon.freecad_compat import freecad_module
-        from hexcon.quads import documents, solids
+        from hexcon.files import shapes
         if job["file"].lower().endswith(".fcstd"):
-            shape = documents.shape_in_document_file(job["file"])
+            shape = shapes.shape_in_document_file(job["file"])
         else:
             shape = freecad_module("Part").read(job["file"])
         numbers = None
         if job["alone"]:
-            write, numbers = solids.from_shape(shape)
+            write, numbers = shapes.from_shape(shape)
             write(job["brep"])
         else:
             shape.exportBrep(job["brep"])

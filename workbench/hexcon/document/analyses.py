@@ -5,8 +5,8 @@ These are calls for macros; hexcon.gui.actions has them too.
 """
 import sys
 
-import hexcon
-from hexcon import freecad_compat, preferences
+from hexcon import freecad_compat, preferences, window
+from hexcon.calculix import solve
 from hexcon.calculix.material import material_of
 from hexcon.errors import FaultCode, ToolError
 from hexcon.topological import refuse_topological
@@ -77,12 +77,10 @@ def load_and_solve(mesh_object, held, force, *, allow_topological=False):
     if solid is None:
         raise ToolError(f"{mesh_object.Label} has no solid (any more), whose faces could be held and "
                         "loaded", FaultCode.BAD_SHAPE)
-    in_window = mesh_object.ViewObject is not None
-    if in_window:
-        from .waiting import run
-    result = hexcon.solve(mesh_object.Document, mesh_object, solid, fixed=list(held), force=dict(force),
+    in_window = window.is_shown(mesh_object)
+    result = solve(mesh_object.Document, mesh_object, solid, fixed=list(held), force=dict(force),
                           threads=preferences.value("Threads") or None, allow_topological=allow_topological,
-                          waiting=run if in_window else None)
+                          waiting=window.waiting() if in_window else None)
     if in_window:
         show_displacement(result.document_object)
     return result

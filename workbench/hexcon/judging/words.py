@@ -3,14 +3,12 @@
 import re
 from html import escape
 
-import FreeCAD
-
 from hexcon.stage_words import HEX_STAGES, STAGES, hex_stage
 from hexcon.topological import is_topological
+from hexcon.translation import QT_TRANSLATE_NOOP, translate
 from hexcon_native import METHOD_TABLE
 
-translate = FreeCAD.Qt.translate
-QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+from .fillable import fillable
 
 ORDERS = {1: QT_TRANSLATE_NOOP("HexCon", "first order (C3D8)"),
           2: QT_TRANSLATE_NOOP("HexCon", "second order (C3D20)")}
@@ -41,16 +39,10 @@ def as_html(rows):
 
 def of_surface(surface, facts):
     """Rows for a quads.QuadSurface and objects.quad_surface.facts_of it."""
-    if not facts["Even"]:
-        even = translate("HexCon", "{quads}, an odd number: no hex mesh has such a boundary")
-    elif facts["Fillable"] == "no":
-        even = translate("HexCon", "{quads}, an even number, but a closed path of edges that bounds a surface inside is "
-                         "odd: no hex mesh has such a boundary")
-    elif facts["Embedded"] == "yes":
-        even = translate("HexCon", "{quads}, an even number: hexes can fill it")
-    else:
-        even = translate("HexCon", "{quads}, an even number")
-    rows = [(translate("HexCon", "Quads"), even.format(quads=count(facts["Quads"]))),
+    can_be = {"yes": True, "no": False}.get(facts["Fillable"])
+    even = translate("HexCon", "{quads}, {even}").format(
+        quads=count(facts["Quads"]), even=fillable(facts["Quads"], can_be, facts["Embedded"] == "yes"))
+    rows = [(translate("HexCon", "Quads"), even),
             (translate("HexCon", "Method"), surface.method),
             (translate("HexCon", "Dual loops"), translate(
                 "HexCon", "{loops}, of which {crossing} cross themselves").format(
@@ -159,8 +151,7 @@ def stage_of_hexes(name, hexes):
 def of_loops(looped):
     """Rows for a LoopedSurface."""
     facts, crossing = looped.facts, sum(len(loop.crossings) > 0 for loop in looped.loops)
-    even = translate("HexCon", "even: hexes can fill it") if facts.even else translate(
-        "HexCon", "ODD: no hex mesh has such a boundary")
+    even = fillable(facts.n, facts.fillable, facts.embedded)
     return [(translate("HexCon", "Surface"), translate("HexCon", "{quads} quads, {even}").format(
                 quads=count(facts.n), even=even)),
             (translate("HexCon", "Dual loops"), translate("HexCon", "{count}; crossing themselves: {crossing}")

@@ -2,7 +2,7 @@
 """A reader for the part of I-DEAS universal files that holds a mesh: datasets 2411 and 2412."""
 import numpy as np
 
-from .cells import CORNERS
+from .cell_kinds import CORNERS
 
 # descriptor -> (kind, positions of the corners among the element's nodes)
 _LINEAR = {41: "triangle", 91: "triangle", 44: "quad", 94: "quad", 111: "tetra", 112: "wedge", 115: "hexahedron",

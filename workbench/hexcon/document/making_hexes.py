@@ -5,9 +5,11 @@ These are calls for macros; hexcon.gui.actions has them too.
 """
 from hexcon import freecad_compat, preferences
 from hexcon.meshing import mesh_solid
-from hexcon.objects import hex_mesh as hex_mesh_objects
-from hexcon.objects import quad_surface as quad_surface_objects
-from hexcon.objects import quality_report as quality_report_objects
+from hexcon.objects import (
+    hex_mesh as hex_mesh_objects,
+    quad_surface as quad_surface_objects,
+    quality_report as quality_report_objects,
+)
 from hexcon.objects.parametric import solid_shape
 from hexcon.objects.quad_surface import TIMEOUT
 from hexcon.topological import refuse_topological_method
@@ -60,7 +62,8 @@ def mesh_solid_object(solid_object, size, *, surface_method="auto", method="auto
     allow_topological  make the object even by a method of topology only; it is marked as such
     The quad surface object is the mesh's Surface; it and the solid are hidden, as the mesh covers
     them. Where the quads of that size cannot be filled, others are tried, here and whenever the mesh is made anew;
-    the surface object keeps the size asked for, and its SizeUsed tells that of its quads. Raises HexconError: those of hexcon.meshing.mesh_solid and femmesh.add_to_document.
+    the surface object keeps the size asked for, and its SizeUsed tells that of its quads.
+    Raises HexconError: those of hexcon.meshing.mesh_solid and femmesh.add_to_document.
     """
     refuse_topological_method(method, allow_topological)  # before the work, not after it
     of_surface = {"source": solid_object, "size": float(size), "method": surface_method}
