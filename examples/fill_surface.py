@@ -11,6 +11,7 @@ print(f"surface       {facts.n} quads, genus {facts.genus}, {facts.loops}; hexes
 mesh = hn.mesh(points, quads)
 print(f"mesh          {len(mesh.hexes)} hexes by method {mesh.method}, {mesh.quality}")
 print(f"certificate   {mesh.certificate}")
-print(f"your points   the first {len(points)} rows, bit for bit: {mesh.points[:len(points)].tobytes() == points.tobytes()}")
+kept = mesh.points[:len(points)].tobytes() == points.tobytes()
+print(f"your points   the first {len(points)} rows, bit for bit: {kept}")
 for line in mesh.report["log"]:
     print(f"tried         {line}")

@@ -14,5 +14,6 @@ with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "box" + ending)
         hexcon.write(mesh, path)
         read = read_mesh(path)
-        print(f"{ending}  {os.path.getsize(path):7d} bytes, read back: {len(read.points)} points, {len(read.hexes)} hexes")
+        size = os.path.getsize(path)
+        print(f"{ending}  {size:7d} bytes, read back: {len(read.points)} points, {len(read.hexes)} hexes")
 print(f"through FreeCAD also: {', '.join(sorted(set(WRITERS) - {'.inp', '.msh', '.vtu', '.vtk', '.unv'}))}")

@@ -10,7 +10,8 @@ def box(*cells):
     ids = np.arange(len(points)).reshape(shape)
     corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
     hexes = np.stack([ids[x:x + cells[0], y:y + cells[1], z:z + cells[2]].ravel() for x, y, z in corners], axis=1)
-    faces = hexes[:, [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]].reshape(-1, 4)
+    sides = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
+    faces = hexes[:, sides].reshape(-1, 4)
     _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
     return points, hexes, faces[first[count == 1]]
 

@@ -10,6 +10,6 @@ for name in hexcon.example_names()[:4]:
     for method in ("smallest", "cells"):
         try:
             mesh = hn.mesh(surface.points, surface.quads, method)
-            print(f"    {method:9s} {len(mesh.hexes):4d} hexes, {mesh.certificate}, worst scaled Jacobian {mesh.quality.min:.2f}")
+            print(f"    {method:9s} {len(mesh.hexes):4d} hexes, {mesh.certificate}, worst {mesh.quality.min:.2f}")
         except hn.HexconError as fault:
             print(f"    {method:9s} {fault.code.name}: {str(fault)[:90]}")

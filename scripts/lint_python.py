@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Ruff over all Python files, by ruff.toml.
 
-python3 scripts/lint_python.py [FILE ...]
+python3 scripts/lint_python.py [--fix] [FILE ...]; --fix sorts imports and mends what is only old-fashioned.
 
-Debian has no ruff; npm has it as WebAssembly, one version of which is fetched into build/ruff: what it says does not depend
-on what else is installed. Editors may use any ruff with the same ruff.toml.
+Debian has no ruff; npm has it as WebAssembly, one version of which is fetched into build/ruff: what it says does not
+depend on what else is installed. Editors may use any ruff with the same ruff.toml.
 """
 import fnmatch
 import json
@@ -17,14 +17,18 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 FOLDER = os.path.join(ROOT, "build", "ruff")
 PACKAGE, VERSION = "@astral-sh/ruff-wasm-nodejs", "0.17.4"
 
-# In: {settings, files: {name: text}}. Out: {name: [[row, column, code, message] ..]}.
+MENDED = ("I001", "UP033", "W291", "W293")
+"""Codes that --fix mends: what a program cannot notice."""
+
+# In: {settings, files: {name: text}}. Out: {name: [[row, column, code, message, edits] ..]}.
 _NODE = """
 const { Workspace, PositionEncoding } = require(process.argv[1]);
 const { settings, files } = JSON.parse(require("fs").readFileSync(0, "utf8"));
 const workspace = new Workspace(settings, PositionEncoding.Utf32);
 const found = {};
 for (const [name, text] of Object.entries(files))
-  found[name] = workspace.check(text).map(d => [d.start_location.row, d.start_location.column, d.code, d.message]);
+  found[name] = workspace.check(text).map(d =>
+    [d.start_location.row, d.start_location.column, d.code, d.message, d.fix ? d.fix.edits : []]);
 console.log(JSON.stringify(found));
 """
 
@@ -38,8 +42,8 @@ def package():
             if json.load(stream)["version"] == VERSION:
                 return place
     os.makedirs(FOLDER, exist_ok=True)
-    subprocess.run(["npm", "install", "--silent", "--no-audit", "--no-fund", "--prefix", FOLDER, f"{PACKAGE}@{VERSION}"],
-                   check=True, stdin=subprocess.DEVNULL)
+    subprocess.run(["npm", "install", "--silent", "--no-audit", "--no-fund", "--prefix", FOLDER,
+                    f"{PACKAGE}@{VERSION}"], check=True, stdin=subprocess.DEVNULL)
     return place
 
 
@@ -56,19 +60,51 @@ def settings():
 
 
 def is_excepted(name, code, exceptions):
-    return any(fnmatch.fnmatch(name, pattern) and code.startswith(tuple(codes)) for pattern, codes in exceptions.items())
+    return any(fnmatch.fnmatch(name, pattern) and code.startswith(tuple(codes))
+               for pattern, codes in exceptions.items())
 
 
-def main(names):
-    said, exceptions = settings()
-    texts = {}
-    for name in names or python_files():
-        with open(os.path.join(ROOT, name), encoding="utf-8") as stream:
-            texts[name] = stream.read()
+def checked(said, texts):
+    """{name: [[row, column, code, message, edits] ..]} as ruff finds it."""
     done = subprocess.run(["node", "-e", _NODE, package()], input=json.dumps({"settings": said, "files": texts}),
                           check=True, stdout=subprocess.PIPE, text=True)
-    faults = [f"{name}:{row}:{column}: {code} {message}" for name, found in json.loads(done.stdout).items()
-              for row, column, code, message in found if not is_excepted(name, code or "E999", exceptions)]
+    return json.loads(done.stdout)
+
+
+def mended(text, found):
+    """The text with the edits of what may be mended without a look at it, from the last to the first."""
+    starts = [0]
+    for line in text.splitlines(keepends=True):
+        starts.append(starts[-1] + len(line))
+
+    def offset(place):
+        return starts[place["row"] - 1] + place["column"] - 1
+    edits = [edit for _, _, code, _, edits in found if code in MENDED for edit in edits]
+    for edit in sorted(edits, key=lambda edit: -offset(edit["location"])):
+        text = text[:offset(edit["location"])] + (edit["content"] or "") + text[offset(edit["end_location"]):]
+    return text
+
+
+def fix(said, texts):
+    """Write the files that ruff can mend by itself."""
+    for name, found in checked(said, texts).items():
+        text = mended(texts[name], found)
+        if text != texts[name]:
+            texts[name] = text
+            with open(os.path.join(ROOT, name), "w", encoding="utf-8") as stream:
+                stream.write(text)
+
+
+def main(arguments):
+    said, exceptions = settings()
+    texts = {}
+    for name in [name for name in arguments if name != "--fix"] or python_files():
+        with open(os.path.join(ROOT, name), encoding="utf-8") as stream:
+            texts[name] = stream.read()
+    if "--fix" in arguments:
+        fix(said, texts)
+    faults = [f"{name}:{row}:{column}: {code} {message}" for name, found in checked(said, texts).items()
+              for row, column, code, message, _ in found if not is_excepted(name, code or "E999", exceptions)]
     print("\n".join(faults), file=sys.stderr if faults else sys.stdout, end="\n" if faults else "")
     return f"ruff: {len(faults)} faults" if faults else 0
 

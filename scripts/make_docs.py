@@ -92,7 +92,8 @@ def stub_codes():
 BLOCKS = {"methods": methods, "method facts": method_facts, "auto": auto_order, "surface methods": surface_methods,
           "stages": stages, "hex stages": hex_stages, "error codes": error_codes, "fault codes": fault_codes,
           "ErrorCode": stub_codes}
-_BLOCK = re.compile(r"(?P<begin>^[^\n]*\bbegin (?P<name>[\w ]+?)(?: -->)?\n)(?P<body>.*?)(?P<end>^[^\n]*\bend (?P=name)\b)",
+_BLOCK = re.compile(r"(?P<begin>^[^\n]*\bbegin (?P<name>[\w ]+?)(?: -->)?\n)(?P<body>.*?)"
+                    r"(?P<end>^[^\n]*\bend (?P=name)\b)",
                     re.MULTILINE | re.DOTALL)
 
 

@@ -26,8 +26,8 @@ def verbatim(lines):
 def csg_rows(lines):
     """One row for each fifty seeds, and what became of the parts that are not certified."""
     found = sorted((json.loads(line) for line in lines if line.strip()), key=lambda one: one["seed"])
-    table = ["| seeds | certified | quads | hexes a quad | min; mean (medians) | least of all | seconds (median, most) |",
-             "|---|---|---|---|---|---|---|"]
+    table = ["| seeds | certified | quads | hexes a quad | min; mean (medians) | least of all "
+             "| seconds (median, most) |", "|---|---|---|---|---|---|---|"]
     for first in sorted({one["seed"] // 50 * 50 for one in found}):
         table.append(_csg_row([one for one in found if one["seed"] // 50 * 50 == first]))
     failures = [f"- seed {one['seed']}: {one['code']}, {one.get('message', '')[:160]}" for one in found

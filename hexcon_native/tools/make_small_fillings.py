@@ -19,10 +19,10 @@ import time
 from pathlib import Path
 
 import numpy as np
-
-import hexcon_native as hn
 from improve_templates import read
 from search_templates import EDGES, TOOL, Filling, smoothed
+
+import hexcon_native as hn
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "python"))

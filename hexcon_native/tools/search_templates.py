@@ -16,9 +16,9 @@ import time
 from pathlib import Path
 
 import numpy as np
+from improve_templates import read
 
 import hexcon_native as hn
-from improve_templates import read
 
 ROOT = Path(__file__).resolve().parents[2]
 TOOL = ROOT / "build" / "release" / "hexcon_template_search"

@@ -8,7 +8,7 @@ import os
 import sys
 import traceback
 
-import FreeCAD
+import FreeCAD  # noqa: F401  before Part
 import Part
 from FreeCAD import Vector
 

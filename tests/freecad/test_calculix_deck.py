@@ -5,13 +5,12 @@ import stat
 
 import numpy as np
 import pytest
-
-import hexcon_native
 from hex_grids import block, cylinder, distorted
 
+import hexcon_native
 from hexcon import calculix
-from hexcon.calculix.loads import face_force, node_areas
 from hexcon.calculix.judging import error_lines
+from hexcon.calculix.loads import face_force, node_areas
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh import elements_of
 

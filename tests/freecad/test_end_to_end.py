@@ -36,7 +36,7 @@ RANDOM.append(("plate", 117))  # gmsh folds its first cap mesh over: another has
 HEADER = "solid             size quads  cap x rings  hexes  cap SJ   min SJ  ratio   mean   bound"
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def meshed(name, size):
     """(shape, mesh) of one of CASES."""
     shape = SOLIDS[name][0]()

@@ -9,8 +9,7 @@ import pytest
 sys.path[:0] = [os.path.dirname(os.path.abspath(__file__))]
 
 import quads_solids  # noqa: E402
-from quads_checks import (assert_closed_even_outward, assert_on_faces, scaled_jacobian, swept,  # noqa: E402
-                          vertices_kept)
+from quads_checks import assert_closed_even_outward, assert_on_faces, scaled_jacobian, swept, vertices_kept  # noqa: E402
 
 from hexcon.errors import FaultCode, ToolError  # noqa: E402
 from hexcon.quads import surface_from_solid  # noqa: E402

@@ -9,8 +9,7 @@ import subprocess
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
-from session import (OUT, button, close_panel, find, is_idle, mesh, open_panel, run, say, select, settle, wait,
-                     words)
+from session import OUT, button, close_panel, find, is_idle, mesh, open_panel, run, say, select, settle, wait, words
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 WIDTH, HEIGHT = 1200, 820
@@ -148,6 +147,7 @@ def its_worst_hex_is_shown():
 
 def dual_loops_of_schneiders():
     import Fem
+
     import hexcon
     document, surface, femmesh = new_document("Loops"), hexcon.example("schneiders"), Fem.FemMesh()
     for node, place in enumerate(surface.points.tolist(), 1):

@@ -6,7 +6,7 @@ import sys
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore, QtGui
+from PySide import QtGui
 from session import OUT, button, close_panel, find, open_panel, picture, run, say, select, settle, wait, words
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / folder) for folder in ("", "python")]
@@ -38,6 +38,7 @@ def write_obj(path, points, quads):
 def a_surface_that_crosses_itself_is_imported():
     """A C whose arms end in each other."""
     from types import SimpleNamespace
+
     from hexcon.femmesh import elements_of
     FreeCADGui.activateWorkbench("HexConWorkbench")
     FreeCAD.newDocument("Crossing")
@@ -79,8 +80,9 @@ def its_pairs_are_drawn_in_red():
 
 def two_blocks_at_one_place():
     """A FEM mesh of 16 hexes, 8 and 8 that share nothing and stand at the same place."""
-    from hexcon.femmesh import to_femmesh
     from types import SimpleNamespace
+
+    from hexcon.femmesh import to_femmesh
     points, hexes = two(*[(block(2, 2, 2).points, block(2, 2, 2).hexes)] * 2)
     doc = FreeCAD.newDocument("Twice")
     made = doc.addObject("Fem::FemMeshObject", "Twice")
@@ -109,8 +111,9 @@ def certify_says_so_too():
 
 def blocks_that_cross_without_common_points():
     """Half a hex into each other: the hexes behind the quads that cross are red."""
-    from hexcon.femmesh import to_femmesh
     from types import SimpleNamespace
+
+    from hexcon.femmesh import to_femmesh
     one = block(2, 2, 2).points, block(2, 2, 2).hexes
     points, hexes = two(one, moved(one, (0.75, 0.1, 0.1)))
     doc = FreeCAD.ActiveDocument

@@ -7,8 +7,22 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
-from session import (OUT, close_panel, find, leave, open_panel, picture, run, say, select, settle,
-                     start_macro, stop_macro, wait, words)
+from session import (
+    OUT,
+    close_panel,
+    find,
+    leave,
+    open_panel,
+    picture,
+    run,
+    say,
+    select,
+    settle,
+    start_macro,
+    stop_macro,
+    wait,
+    words,
+)
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from hex_grids import block  # noqa: E402
@@ -292,8 +306,9 @@ def marks_are_where_the_object_is():
 
 
 def a_changed_mesh_is_read_again():
-    import hexcon
     from types import SimpleNamespace
+
+    import hexcon
     select(state["box"])
     open_panel("HexCon_Inspect")
     wait(panel_ready, "the mesh to be shown")

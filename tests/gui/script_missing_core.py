@@ -9,8 +9,7 @@ import shutil
 import FreeCAD
 import FreeCADGui
 from PySide import QtGui
-from session import (find, gmsh_runs, is_idle, leave, mesh, open_panel, picture, run, select,
-                     settle, wait, words)
+from session import find, gmsh_runs, is_idle, leave, mesh, open_panel, picture, run, select, settle, wait, words
 
 ADDON, CORE = os.environ["HEXCON_TEST_ADDON"], os.environ["HEXCON_TEST_CORE"]
 

@@ -61,7 +61,7 @@ static bool segment_meets(const double *from, const double *to, const double *a,
     memcpy(replaced, columns, sizeof replaced);
     for (int k = 0; k < 3; k++)
       replaced[k][i] = right[k];
-    solved[i] = whole != 0 ? determinant(replaced) / whole : -1; /* parallel: they do not meet */
+    solved[i] = determinant(replaced) / whole;
   }
   return solved[0] > 0 && solved[0] < 1 && solved[1] > 0 && solved[2] > 0 &&
          solved[1] + solved[2] < 1;
@@ -69,7 +69,8 @@ static bool segment_meets(const double *from, const double *to, const double *a,
 
 static const double *place_of(const offset_case *c, size_t triangle, size_t i) {
   static const size_t halves[2][3] = {{0, 1, 2}, {0, 2, 3}};
-  size_t quads = c->s.quad_count, copy = triangle >= 2 * quads, of = triangle % (2 * quads);
+  size_t quads = c->s.quad_count, copy = triangle >= 2 * quads,
+         of = copy ? triangle - 2 * quads : triangle;
   size_t point = (size_t)c->s.quads[4 * (of / 2) + halves[of % 2][i]];
   return (copy ? c->inner : c->s.points) + 3 * point;
 }

@@ -98,7 +98,7 @@ BODIES = {
 }
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def surface_of_size(name, size, method, folder):
     """The surface of a body for a mesh size; folder: for its CAD file. Kept for the life of the process."""
     path = os.path.join(folder, f"{name}.brep")

@@ -108,6 +108,7 @@ def _vtk_poly(binary):
 def _vtu_by_vtk(mode):
     def make(path, number):
         from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+
         from hexcon.files import vtk
         writer = vtkXMLUnstructuredGridWriter()
         writer.SetFileName(str(path))
@@ -457,6 +458,7 @@ def load(kind):
     from vtkmodules import vtkIOLegacy, vtkIOXML  # noqa: F401
     if kind in ("med", "FCStd", "step", "brep"):
         from file_worker import with_freecad  # noqa: F401
+
         from hexcon import freecad_compat
         freecad_compat.freecad_module("Part")
         freecad_compat.fem_module("Fem")
@@ -530,7 +532,7 @@ def run(kind, seeds, keep=None, tell=None):
                 stream.write(data)
             before, slow = dict(watched.deaths), watched.timeouts
             outcomes = judge(kind, path, watched, seed)
-            for outcome, words in outcomes:
+            for outcome, _ in outcomes:
                 counts[outcome] = counts.get(outcome, 0) + 1
             died = [s for s in watched.deaths if watched.deaths[s] != before.get(s)]
             told = [(seed, o, w) for o, w in outcomes if o in FINDINGS]

@@ -12,11 +12,10 @@ Points and motions are in Minkowski coordinates (t, x, y, z): a touching point i
 (x, y, z) / t outside the sphere stands for the circle that bounds what is seen from there.
 """
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.linalg import spsolve
-
 from quad_figures import edge_lengths
 from quadrangulations import random_quadrangulation
+from scipy.sparse import coo_matrix
+from scipy.sparse.linalg import spsolve
 
 
 def canonical_polyhedron(faces):

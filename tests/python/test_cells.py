@@ -74,7 +74,7 @@ def test_random_polyhedra(n):
     assert mesh.quality.min >= 0.1 and mesh.quality.mean >= 0.5
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def small_polyhedra():
     """All 74 even ones of up to 14 quads."""
     found = all_quadrangulations(14)

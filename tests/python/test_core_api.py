@@ -6,9 +6,9 @@ import time
 
 import numpy as np
 import pytest
+import surfaces as make
 
 import hexcon_native as hn
-import surfaces as make
 
 POINTS, QUADS = make.box(2, 2, 2)
 MESH = hn.mesh(POINTS, QUADS)

@@ -2,14 +2,14 @@
 """Swept surfaces of many kinds and numberings: exact counts, certified by an independent judge."""
 from fractions import Fraction
 
+import mesh_checker
 import numpy as np
 import pytest
+import surfaces as make
 from scipy.optimize import linprog
 from scipy.spatial import cKDTree
 
 import hexcon_native as hn
-import mesh_checker
-import surfaces as make
 
 # ------------------------------------------------------------------------------- caps and shapes
 

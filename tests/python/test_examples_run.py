@@ -28,10 +28,11 @@ SHOWN = {
                    r"smallest    40 hexes, <certified>", r"UNFILLABLE_QUAD"],
     "morph": [r"twisted by  90  reached 100%: <certified>", r"twisted by 180  reached 100%: <certified>"],
     "optimize": [r"tangled +\d+ of 512 hexes are inverted", r"optimised +<certified>", r"boundary kept True"],
-    "progress_and_cancel": [r"Hexes: untangling", r"Certificate: Jacobians", r"done: <cells mesh", r"cancelled: CANCELLED",
-                            r"within 30 seconds: \w+, <certified>"],
+    "progress_and_cancel": [r"Hexes: untangling", r"Certificate: Jacobians", r"done: <cells mesh",
+                            r"cancelled: CANCELLED", r"within 30 seconds: \w+, <certified>"],
     "refusals": ["NOT_CLOSED", "INCONSISTENT_ORIENTATION", "SELF_INTERSECTING", "NOT_DICED", "BAD_ARGUMENT"],
-    "solid": [r"470 quads by sweep", r"600 hexes of 20 nodes by swept", r"<certified>", r"CAD faces +6", r"part\.inp, \d+"],
+    "solid": [r"470 quads by sweep", r"600 hexes of 20 nodes by swept", r"<certified>",
+              r"CAD faces +6", r"part\.inp, \d+"],
     "tetrahedralise": [r"asked +32 triangles, answered 32 tetrahedra", r"mesh +\d+ hexes, <certified>"],
 }
 
@@ -46,8 +47,8 @@ def test_every_script_is_run_and_listed():
 @pytest.mark.parametrize("name", SHOWN)
 def test_example(name, tmp_path):
     path = os.pathsep.join([str(ROOT), str(ROOT / "workbench")])
-    done = subprocess.run([sys.executable, str(FOLDER / f"{name}.py")], cwd=tmp_path, env={**os.environ, "PYTHONPATH": path},
-                          stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300, check=False)
+    done = subprocess.run([sys.executable, str(FOLDER / f"{name}.py")], cwd=tmp_path,
+                          env={**os.environ, "PYTHONPATH": path}, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300, check=False)
     assert done.returncode == 0, done.stderr
     rest = done.stdout
     for pattern in SHOWN[name]:

@@ -5,10 +5,26 @@ import pytest
 from blossom_surfaces import blossom_surface
 from paper_surfaces import eppsteins_cubes, paper_surfaces, quadrilateral_octahedron
 from polyhedra import canonical_polyhedron, random_polyhedron
-from quad_figures import (convexity, corner_angles, edge_lengths, face_doublets, flat_corners, hidden_corners,
-                          planarity, tangency)
-from quadrangulations import (all_quadrangulations, canonical_code, double_wheel, is_polyhedral, is_simple,
-                              random_quadrangulation, random_simple_quadrangulation, sphere_points)
+from quad_figures import (
+    convexity,
+    corner_angles,
+    edge_lengths,
+    face_doublets,
+    flat_corners,
+    hidden_corners,
+    planarity,
+    tangency,
+)
+from quadrangulations import (
+    all_quadrangulations,
+    canonical_code,
+    double_wheel,
+    is_polyhedral,
+    is_simple,
+    random_quadrangulation,
+    random_simple_quadrangulation,
+    sphere_points,
+)
 from scipy.spatial.distance import pdist
 
 import hexcon_native as hn

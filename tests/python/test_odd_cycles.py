@@ -268,7 +268,7 @@ def test_linked_cavities(first, second):
     """A longitude bounds together with a meridian of the other tube."""
     surface = linked(first, second)
     turns = [tuple(case[3:]) or (0,) for case in (first, second)]
-    (m, n, *_), (k, l, *_) = first, second
+    (m, n, *_), (k, l, *_) = first, second  # noqa: E741
     expected = (m * n + k * l) % 2 == 0 and (m + turns[0][0] * n + l) % 2 == 0 and (k + turns[1][0] * l + n) % 2 == 0
     assert told(*surface) == expected == by_tetrahedra(*surface)
 

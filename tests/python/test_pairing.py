@@ -2,14 +2,14 @@
 """Pairings of quads: perfect, among neighbours, repeatable, and nearly of the greatest weight."""
 import time
 
+import cell_surfaces as cells
 import numpy as np
 import pytest
+import surfaces as make
 from scipy.optimize import Bounds, LinearConstraint, milp
 from scipy.sparse import coo_matrix
 
-import cell_surfaces as cells
 import hexcon_native as hn
-import surfaces as make
 
 PLAIN = {name: (points, quads) for name, points, quads in cells.plain_surfaces()}
 

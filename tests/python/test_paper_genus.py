@@ -6,8 +6,18 @@ import itertools
 import numpy as np
 import pytest
 from mesh_checker import euler
-from paper_meshes import (crossed_edges, dual_loops, families, faults, layer_counts, paired_quads, paired_surface,
-                          raised, self_crossings, sides)
+from paper_meshes import (
+    crossed_edges,
+    dual_loops,
+    families,
+    faults,
+    layer_counts,
+    paired_quads,
+    paired_surface,
+    raised,
+    self_crossings,
+    sides,
+)
 from surfaces import annulus, canonical, permuted, picture, prism, upright
 
 import hexcon

@@ -4,8 +4,17 @@ import numpy as np
 import pytest
 from blossom_surfaces import BODIES, surface_of_size
 from cell_surfaces import PLAIN
-from paper_meshes import (ON_GIVEN, ON_PAIRED, can_pair_across_single_edges, faults, neighbours, paired_surface,
-                          raised, self_crossings, volumes)
+from paper_meshes import (
+    ON_GIVEN,
+    ON_PAIRED,
+    can_pair_across_single_edges,
+    faults,
+    neighbours,
+    paired_surface,
+    raised,
+    self_crossings,
+    volumes,
+)
 from paper_surfaces import eppsteins_cube, paper_surfaces, quadrilateral_octahedron
 from polyhedra import random_polyhedron
 from quad_figures import flat_corners

@@ -5,8 +5,20 @@ import itertools
 import numpy as np
 import pytest
 from cell_surfaces import zonohedron
-from paper_meshes import (ALTERNATIVE, ON_GIVEN, dual_loops, families, faults, layer_counts, neighbours,
-                          paired_quads, paired_surface, raised, self_crossings, volumes)
+from paper_meshes import (
+    ALTERNATIVE,
+    ON_GIVEN,
+    dual_loops,
+    families,
+    faults,
+    layer_counts,
+    neighbours,
+    paired_quads,
+    paired_surface,
+    raised,
+    self_crossings,
+    volumes,
+)
 from polyhedra import random_polyhedron
 from surfaces import box, canonical, diced_hull, o_grid, permuted, prism, schneiders_pyramid, upright, used_only
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cell_surfaces import merged_hull, sphere
-from surfaces import box, o_grid, permuted, prism, random_cap, relaxed, schneiders_pyramid, upright
+from surfaces import box, o_grid, prism, schneiders_pyramid, upright
 from test_shelling import rotated_ball
 
 import hexcon_native as hn

@@ -23,7 +23,7 @@ ASKING = 60     # seconds in which an interpreter must have imported gmsh
 CRASHES = 30    # so often a job is started again without the step that killed it
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def gmsh_python(named=None):
     """Path of a Python that can `import gmsh, numpy, scipy`. named: the value of HEXCON_GMSH_PYTHON, or of
     FreeCAD's preference for HexCon, if set.

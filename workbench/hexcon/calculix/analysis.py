@@ -13,8 +13,7 @@ from hexcon.femmesh.elements import elements_of
 from hexcon.labels import rows_of
 from hexcon.topological import is_topological, refuse_topological
 
-from . import constraints as make
-from . import frd
+from . import constraints as make, frd
 from .freecad_deck import correct_loads
 from .judging import check_loads
 from .loads import force_vector, pressure_value

@@ -55,7 +55,7 @@ def _base_colours():
 
 def _rectangles(left, right, bottom, top, colours):
     """A node with upright rectangles, each in its colour."""
-    corners = np.array([[(l, b), (r, b), (r, t), (l, t)] for l, r, b, t in zip(left, right, bottom, top)])
+    corners = np.array([[(x, b), (r, b), (r, t), (x, t)] for x, r, b, t in zip(left, right, bottom, top)])
     places, material, binding, faces = (coin.SoCoordinate3(), coin.SoMaterial(), coin.SoMaterialBinding(),
                                         coin.SoFaceSet())
     points = np.column_stack([corners.reshape(-1, 2), np.zeros(4 * len(corners))])

@@ -67,7 +67,7 @@ def show(mesh_object, looped, pairs=False, loop=None):
     """Draw the dual loops of an object, whose LoopedSurface is looped; returns the LoopCurves."""
     # may raise: before the view is touched
     if pairs:
-        looped.pairs
+        looped.pairs  # noqa: B018
     if loop is not None:
         looped.loop(loop)
     drawing = drawings.find(mesh_object) or drawings.put(mesh_object, lambda: LoopCurves(mesh_object, looped))

@@ -8,7 +8,6 @@ import FreeCADGui
 from .icons import icon_path
 
 
-
 class _View:
     """What the view providers share. icon: without ending; "_fault" is added where needed."""
 

@@ -7,19 +7,23 @@ import sys
 
 import numpy as np
 from palette import INVERTED, QUALITY
-from vtkmodules import (vtkInteractionStyle, vtkRenderingContextOpenGL2,  # noqa: F401
-                        vtkRenderingFreeType, vtkRenderingOpenGL2)
+from vtkmodules import vtkInteractionStyle, vtkRenderingContextOpenGL2, vtkRenderingFreeType, vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
-from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, vtkCellArray,
-                                           vtkUnstructuredGrid)
-from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, vtkCellArray, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
+from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
-from vtkmodules.vtkRenderingCore import (vtkActor, vtkActor2D, vtkPolyDataMapper,
-                                         vtkRenderer, vtkRenderWindow, vtkTextActor,
-                                         vtkWindowToImageFilter)
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkActor2D,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkTextActor,
+    vtkWindowToImageFilter,
+)
 
 TEXT = (0.13, 0.15, 0.18)
 EDGE = (0.16, 0.18, 0.22)

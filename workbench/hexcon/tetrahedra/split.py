@@ -6,7 +6,6 @@ import numpy as np
 from .quality import diced_quality
 from .topology import EDGES, FACES, boundary, keys
 
-
 GOOD = 0.3      # scaled Jacobian of a diced tetrahedron: slack enough for triangles whose middles are on a curved face
 
 

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The method `blocks`: quads whose loops do not cross themselves, on solids that fall into a few blocks of hexes."""
-import numpy as np
-
 import gmsh
+import numpy as np
 
 from .corner_blocks import corner_surface
 from .fault import WorkerFault

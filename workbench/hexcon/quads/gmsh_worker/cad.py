@@ -5,9 +5,8 @@ Numbers are gmsh's tags. For a file with one solid and nothing else they are the
 FreeCAD's Face1, Face2, ... (both walk the shape with TopExp_Explorer).
 Lengths are in the units of the file (millimetres for STEP).
 """
-import numpy as np
-
 import gmsh
+import numpy as np
 
 from .fault import WorkerFault
 

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One mesh of the whole solid's faces by gmsh, and how it is read back."""
-import numpy as np
-
 import gmsh
+import numpy as np
 
 from .fault import WorkerFault
 

@@ -48,7 +48,7 @@ def thirds(side_list, k):
 def _lines(solid, sides, size, row):
     """Edges and arms: (member (m,F) of layers that add up, desired (m,) intervals, weight (m,), least (m,))."""
     lines, seen = [], set()
-    for face, around in sides.items():
+    for around in sides.values():
         middles = np.array([solid.edge_points(e, [0.5])[0] for e, _ in around])
         arms = np.linalg.norm(middles - middles.mean(axis=0), axis=1)
         for k, (edge, across) in enumerate(around):

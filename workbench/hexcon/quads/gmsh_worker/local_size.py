@@ -4,10 +4,9 @@
 A triangle that spans half a hole folds once its edges are halved on the hole; one across a strip much narrower than
 itself is a needle. The size is bounded there, and grows with the distance from there.
 """
+import gmsh
 import numpy as np
 from scipy.spatial import cKDTree
-
-import gmsh
 
 PER_TURN = 10       # least number of elements round a full circle
 GROWTH = 0.6       # of the size, for each unit of distance

@@ -3,9 +3,8 @@
 
 The outline becomes a polygon of its own gmsh model, so that no CAD seam or period can upset gmsh.
 """
-import numpy as np
-
 import gmsh
+import numpy as np
 
 from .outline import rounded, with_total
 

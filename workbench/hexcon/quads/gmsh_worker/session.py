@@ -6,9 +6,8 @@ The tetrahedra's worker runs in the same way and imports this, fault and link.
 import json
 import os
 
-import numpy as np
-
 import gmsh
+import numpy as np
 from file_worker import limits
 
 from .fault import WorkerFault

@@ -10,7 +10,6 @@ from .outline import rounded, with_total
 from .plane_mesh import Builder
 from .submap import submap_mesh, submap_plan
 
-
 # --- midpoint: a convex polygon with n corners becomes n blocks about its middle -------------------
 
 def midpoint_plan(outline):
@@ -49,7 +48,6 @@ def _convex_sides(outline):
 
 def midpoint_mesh(outline, counts, boundary):
     sides = _convex_sides(outline)
-    n = len(sides)
     totals = np.array([counts[0][s].sum() for s in sides])
     spokes = _spokes(totals)
     if spokes is None:

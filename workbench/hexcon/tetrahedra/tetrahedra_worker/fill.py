@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Fill a discrete surface by one of gmsh's algorithms."""
-import numpy as np
-
 import gmsh
+import numpy as np
 
 from .shells import shells_of
 
