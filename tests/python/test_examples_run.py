@@ -48,7 +48,8 @@ def test_every_script_is_run_and_listed():
 def test_example(name, tmp_path):
     path = os.pathsep.join([str(ROOT), str(ROOT / "workbench")])
     done = subprocess.run([sys.executable, str(FOLDER / f"{name}.py")], cwd=tmp_path,
-                          env={**os.environ, "PYTHONPATH": path}, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300, check=False)
+                          env={**os.environ, "PYTHONPATH": path}, stdin=subprocess.DEVNULL, capture_output=True,
+                          text=True, timeout=300, check=False)
     assert done.returncode == 0, done.stderr
     rest = done.stdout
     for pattern in SHOWN[name]:

@@ -125,7 +125,7 @@ def test_tori(m, n, shift):
 
 def test_all_methods_refuse_but_four_split():
     points, quads = tube(circle, 6, 3, 1.0)
-    for method in hn.METHODS:
+    for method in hn.METHOD_CHOICES:
         if method != "four-split":
             assert refusal(points, quads, method).code == Code.NO_HEX_MESH
     # it fills no body, and fails for its own reason

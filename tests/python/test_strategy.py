@@ -202,8 +202,8 @@ def test_the_worker_hands_hexes_over(tmp_path):
 
 def test_the_command_line_goes_the_same_road(tmp_path):
     """One solid, one mesh: of the API and of the program."""
-    from hexcon.files import read_hexes
     from hexcon.examples import FOLDER
+    from hexcon.files import read_hexes
     wedge = f"{FOLDER}/../wedge.step"
     made, path = mesh_solid(wedge, 8.0), str(tmp_path / "wedge.vtu")
     said = subprocess.run([sys.executable, "-m", "hexcon", "mesh", wedge, "--size", "8", "-o", path, "--json"],

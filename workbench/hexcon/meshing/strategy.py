@@ -10,8 +10,7 @@ import hexcon_native
 from hexcon_native import ErrorCode, HexconError
 
 from ..errors import FaultCode
-from ..quads import METHOD_TABLE as SURFACE_METHOD_TABLE
-from ..quads import surface_from_solid
+from ..quads import METHOD_TABLE as SURFACE_METHOD_TABLE, surface_from_solid
 from .filling import mesh_surface
 from .progress import deadline_of, in_budget, limited, raising
 
