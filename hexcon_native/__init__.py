@@ -25,18 +25,18 @@ except ImportError as fault:
     ) from fault
 
 from .tables import (  # after the guard: it reads the core
-    ErrorCode,
     GIVEN,
     HEX_STAGES,
     METHOD_CHOICES,
     METHOD_TABLE,
     METHODS,
-    Method,
-    MethodTry,
     PAIRING_NUMBERS,
     PAIRINGS,
     STAGES,
     TOPOLOGICAL_METHODS,
+    ErrorCode,
+    Method,
+    MethodTry,
     methods_that,
 )
 

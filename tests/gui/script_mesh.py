@@ -5,9 +5,27 @@ import os
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
-from session import (OUT, button, called_topological, close_panel, find, gmsh_runs, held_at,
-                     is_idle, mesh, open_panel, picture, run, say, select, settle, start_macro, stop_macro,
-                     wait, words)
+from session import (
+    OUT,
+    button,
+    called_topological,
+    close_panel,
+    find,
+    gmsh_runs,
+    held_at,
+    is_idle,
+    mesh,
+    open_panel,
+    picture,
+    run,
+    say,
+    select,
+    settle,
+    start_macro,
+    stop_macro,
+    wait,
+    words,
+)
 
 state = {}
 

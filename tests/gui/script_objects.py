@@ -9,8 +9,7 @@ import FreeCAD
 import FreeCADGui
 from mouse import Mouse
 from PySide import QtCore, QtGui
-from session import (OUT, button, close_panel, find, held_at, open_panel, picture, run, say, select, settle,
-                     wait, words)
+from session import OUT, button, close_panel, find, held_at, open_panel, picture, run, say, select, settle, wait, words
 
 state = {}
 

@@ -11,9 +11,9 @@ import threading
 
 import numpy as np
 import pytest
+import surfaces as make
 
 import hexcon_native as hn
-import surfaces as make
 
 CALLS_IN_ALL, CALLS_AT_ONCE, SLOW = 2000, 100, 2
 Code = hn.ErrorCode

@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 
 import hexcon_native
-from hexcon_native import ErrorCode
 from hexcon.errors import FaultCode, HexconError, ToolError
 from hexcon.quads import surface_from_file
+from hexcon_native import ErrorCode
 
 # A box of 1 x 1 x 2 unit cubes: 10 quads, outward.
 POINTS = np.array([(x, y, z) for z in (0, 1, 2) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))], float)

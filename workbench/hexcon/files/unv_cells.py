@@ -11,7 +11,8 @@ _SECOND = {42: ("triangle", (0, 2, 4)), 92: ("triangle", (0, 2, 4)), 45: ("quad"
            95: ("quad", (0, 2, 4, 6)), 118: ("tetra", (0, 2, 4, 9)), 113: ("wedge", (0, 2, 4, 9, 11, 13)),
            116: ("hexahedron", (0, 2, 4, 6, 12, 14, 16, 18))}
 _CORNERS_OF = {**{code: (kind, range(CORNERS[kind])) for code, kind in _LINEAR.items()}, **_SECOND}
-_COUNT = {**{code: CORNERS[kind] for code, kind in _LINEAR.items()}, 42: 6, 92: 6, 45: 8, 95: 8, 118: 10, 113: 15, 116: 20}
+_COUNT = {**{code: CORNERS[kind] for code, kind in _LINEAR.items()}, 42: 6, 92: 6, 45: 8, 95: 8, 118: 10, 113: 15,
+          116: 20}
 _BEAMS = (11, 21, 22, 23, 24)      # these have one more line
 
 

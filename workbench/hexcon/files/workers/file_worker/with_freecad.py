@@ -40,8 +40,8 @@ def read_solid(job):
     Returns {"face_numbers": (f,) the numbers of the solid's faces in the shape}, empty where they are the same.
     """
     with _named():
-        from hexcon.freecad_compat import freecad_module
         from hexcon.files import shapes
+        from hexcon.freecad_compat import freecad_module
         if job["file"].lower().endswith(".fcstd"):
             shape = shapes.shape_in_document_file(job["file"])
         else:
