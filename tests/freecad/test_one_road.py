@@ -53,7 +53,7 @@ def wedge():
 
 @pytest.fixture(autouse=True)
 def same_tetrahedra(monkeypatch):
-    """One answer for one question: gmsh's HXT is not quite the same from run to run, and the roads are what is tested."""
+    """One answer for one question: gmsh's HXT is not quite the same from run to run, and the roads are tested."""
     real, known = filling.tetrahedralise, {}
 
     def tetrahedralise(points, triangles, **options):
