@@ -27,8 +27,8 @@ PROPERTIES = (
     ("App::PropertyBool", "AllowTopological", "HexCon", "Allow the methods whose meshes are topology only: no "
      "solver must be given them", False, False),
     ("App::PropertyBool", "TryOtherSurfaces", "HexCon", "Where the quads cannot be filled, others of the same solid "
-     "are tried, somewhat smaller, and the quad surface object takes those that can; only for automatic methods without "
-     "a time limit", False, False),
+     "are tried, somewhat smaller, and the quad surface object takes those that can; only for automatic methods and "
+     "without a time limit", False, False),
     ("App::PropertyInteger", "Hexes", "Result", "Number of hexes", 0, True),
     ("App::PropertyString", "MethodUsed", "Result", "The method that made the hexes", "", True),
     ("App::PropertyFloat", "MinimumScaledJacobian", "Result", "Worst scaled Jacobian of a hex", 0.0, True),
