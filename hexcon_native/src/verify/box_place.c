@@ -22,7 +22,7 @@ void box_halve(const box_place *place, box_place *low, box_place *high) {
 
 void box_corner_point(const box_place *place, int corner, double point[3]) {
   for (int axis = 0; axis < 3; axis++) {
-    bool far = corner / box_strides[axis] % 3 == 2;
+    bool far = corner >> (2 - axis) & 1;
     point[axis] = place->low[axis] + (far ? width_along(place, axis) : 0);
   }
 }

@@ -115,11 +115,11 @@ static bool all_positive(const exact_box *box) {
   return true;
 }
 
-/** A corner that is not positive, as one of box_corners; -1 if there is none. */
+/** A corner that is not positive, by its place in box_corners; -1 if there is none. */
 static int nonpositive_corner(const exact_box *box) {
   for (int i = 0; i < 8; i++)
     if (expansion_sign(&box->value[box_corners[i]]) <= 0)
-      return box_corners[i];
+      return i;
   return -1;
 }
 

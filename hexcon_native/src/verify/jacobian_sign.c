@@ -121,11 +121,11 @@ static double smallest_value(const box_coefficients *box, double *largest) {
  * zero cannot be proved positive. @param corner receives which it is */
 static double smallest_corner(const box_coefficients *box, int *corner) {
   const double *v = &box->value[0][0][0];
-  *corner = box_corners[0];
+  *corner = 0;
   for (int i = 1; i < 8; i++)
-    if (v[box_corners[i]] < v[*corner])
-      *corner = box_corners[i];
-  return v[*corner];
+    if (v[box_corners[i]] < v[box_corners[*corner]])
+      *corner = i;
+  return v[box_corners[*corner]];
 }
 
 /** de Casteljau at 1/2 along one axis. Averages of values below `largest`: each of the two

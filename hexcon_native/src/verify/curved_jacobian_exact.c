@@ -1,0 +1,250 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
+#include "curved_jacobian_exact.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+#include "base/expansion.h"
+#include "box_place.h"
+#include "serendipity.h"
+
+enum {
+  COEFFICIENTS = 216,
+  MAX_DEPTH = 48, /* bisections along the deepest path: boxes of 2^-16 of the hex */
+  MAX_OPEN = 20,  /* boxes not yet decided */
+  MAX_BOXES = 256 /* in all */
+};
+
+typedef struct exact_vector {
+  expansion x[3];
+} exact_vector;
+
+/** Bernstein coefficients times 1000, at 36 i + 6 j + k. */
+typedef struct exact_box {
+  expansion value[COEFFICIENTS];
+  box_place place;
+} exact_box;
+
+/** What the coefficients are made from: derivatives' coefficients times their binomials, and the
+ * cross product of two of them. */
+typedef struct exact_room {
+  exact_box stack[MAX_OPEN];
+  exact_vector controls[27], derivatives[3][18], cross[80];
+} exact_room;
+
+static const int strides[3] = {36, 6, 1};
+
+size_t exact_curved_room(void) {
+  return sizeof(exact_room);
+}
+
+/** Each coordinate times a power of two of its own, which leaves the sign of the Jacobian. Returns
+ * whether that is exact: not where a coordinate becomes subnormal. */
+static bool scale_nodes(double nodes[20][3], double scaled[20][3]) {
+  bool exact = true;
+  for (int c = 0; c < 3; c++) {
+    double lowest = INFINITY, highest = -INFINITY;
+    for (int n = 0; n < 20; n++) { /* halves, as the difference may overflow */
+      lowest = fmin(lowest, nodes[n][c] / 2);
+      highest = fmax(highest, nodes[n][c] / 2);
+    }
+    int exponent = 0; /* frexp leaves it if there is infinity or no number */
+    (void)frexp(highest - lowest, &exponent);
+    double scale = ldexp(1, exponent < -1000 ? 1000 : -1 - exponent);
+    for (int n = 0; n < 20; n++) {
+      scaled[n][c] = nodes[n][c] * scale;
+      exact &= isfinite(scaled[n][c]) && (nodes[n][c] == 0 || fabs(scaled[n][c]) >= DBL_MIN);
+    }
+  }
+  return exact;
+}
+
+/** Whether a node is of the edge, face or hex whose middle is a control point: its place agrees
+ * wherever the control point is not in the middle. */
+static bool belongs(int place, int control) {
+  for (int axis = 0; axis < 3; axis++) {
+    int there = control / box_strides[axis] % 3;
+    if (there != 1 && place / box_strides[axis] % 3 != there)
+      return false;
+  }
+  return true;
+}
+
+static int count_middles(int place) {
+  return (place / 9 == 1) + (place / 3 % 3 == 1) + (place % 3 == 1);
+}
+
+static void add_weighted(expansion *sum, double value, double weight) {
+  expansion term = expansion_difference(value, 0), factor = expansion_difference(weight, 0);
+  term = expansion_product(&term, &factor);
+  *sum = expansion_sum(sum, &term);
+}
+
+/** The weights of serendipity.h: another road to the control points than the filter's. */
+static void make_controls(double nodes[20][3], exact_vector controls[27]) {
+  memset(controls, 0, 27 * sizeof *controls);
+  for (int b = 0; b < 27; b++) {
+    int middles = count_middles(b);
+    for (int n = 0; n < 20; n++) {
+      double weight =
+          n < 8 ? serendipity_corner_weights[middles] : serendipity_middle_weights[middles];
+      for (int c = 0; weight != 0 && c < 3 && belongs(serendipity_places[n], b); c++)
+        add_weighted(&controls[b].x[c], nodes[n][c], weight);
+    }
+  }
+}
+
+/** As derive in curved_jacobian.c: degrees (1, 2, 2), (2, 1, 2) or (2, 2, 1). */
+static void derive(const exact_vector controls[27], int axis, exact_vector out[18]) {
+  int n = 0;
+  for (int place = 0; place < 27; place++) {
+    if (place / box_strides[axis] % 3 == 2)
+      continue;
+    int middles = count_middles(place) - (place / box_strides[axis] % 3 == 1);
+    for (int c = 0; c < 3; c++) {
+      expansion minus = expansion_scaled(&controls[place].x[c], -1);
+      expansion entry = expansion_sum(&controls[place + box_strides[axis]].x[c], &minus);
+      out[n].x[c] = expansion_scaled(&entry, ldexp(1, middles));
+    }
+    n++;
+  }
+}
+
+static void add_cross(const exact_vector *a, const exact_vector *b, exact_vector *sum) {
+  for (int i = 0; i < 3; i++) {
+    int j = (i + 1) % 3, k = (i + 2) % 3;
+    expansion plus = expansion_product(&a->x[j], &b->x[k]);
+    expansion minus = expansion_product(&a->x[k], &b->x[j]);
+    minus = expansion_scaled(&minus, -1);
+    plus = expansion_sum(&plus, &minus);
+    sum->x[i] = expansion_sum(&sum->x[i], &plus);
+  }
+}
+
+static void add_dot(const exact_vector *a, const exact_vector *b, expansion *sum) {
+  for (int i = 0; i < 3; i++) {
+    expansion product = expansion_product(&a->x[i], &b->x[i]);
+    *sum = expansion_sum(sum, &product);
+  }
+}
+
+static void make_coefficients(exact_room *room) {
+  exact_box *box = &room->stack[0];
+  memset(box, 0, sizeof *box);
+  memset(room->cross, 0, sizeof room->cross);
+  for (int a = 0; a < 18; a++)
+    for (int b = 0; b < 18; b++)
+      add_cross(&room->derivatives[1][a], &room->derivatives[2][b],
+                &room->cross[16 * (a / 6 + b / 6) + 4 * (a / 3 % 2 + b / 2 % 3) + a % 3 + b % 2]);
+  for (int x = 0; x < 80; x++)
+    for (int a = 0; a < 18; a++)
+      add_dot(&room->derivatives[0][a], &room->cross[x],
+              &box->value[36 * (x / 16 + a / 9) + 6 * (x / 4 % 4 + a / 3 % 3) + x % 4 + a % 3]);
+  for (int i = 0; i < COEFFICIENTS; i++) {
+    expansion weight = expansion_difference(
+        serendipity_tenths[i / 36] * serendipity_tenths[i / 6 % 6] * serendipity_tenths[i % 6], 0);
+    box->value[i] = expansion_product(&box->value[i], &weight);
+  }
+}
+
+/** A corner of the hex where the Jacobian is not positive; -1 if there is none. Its derivatives are
+ * the control points' differences there. */
+static int nonpositive_hex_corner(exact_room *room) {
+  for (int corner = 0; corner < 8; corner++) {
+    int i = corner >> 2, j = corner >> 1 & 1, k = corner & 1;
+    exact_vector cross = {0};
+    expansion value = {0};
+    add_cross(&room->derivatives[1][6 * 2 * i + 3 * j + 2 * k],
+              &room->derivatives[2][6 * 2 * i + 2 * 2 * j + k], &cross);
+    add_dot(&room->derivatives[0][9 * i + 3 * 2 * j + 2 * k], &cross, &value);
+    if (!value.lost && expansion_sign(&value) <= 0)
+      return corner;
+  }
+  return -1;
+}
+
+static bool is_lost(const exact_box *box) {
+  bool lost = false;
+  for (int i = 0; i < COEFFICIENTS; i++)
+    lost |= box->value[i].lost;
+  return lost;
+}
+
+static bool all_positive(const exact_box *box) {
+  for (int i = 0; i < COEFFICIENTS; i++)
+    if (expansion_sign(&box->value[i]) <= 0)
+      return false;
+  return true;
+}
+
+static int nonpositive_corner(const exact_box *box) {
+  for (int i = 0; i < 8; i++)
+    if (expansion_sign(&box->value[serendipity_corners[i]]) <= 0)
+      return i;
+  return -1;
+}
+
+/** de Casteljau at 1/2 along one axis, the upper half in place. */
+static void bisect(exact_box *box, exact_box *low) {
+  int axis = box_axis(&box->place), stride = strides[axis], across = strides[(axis + 1) % 3],
+      along = strides[(axis + 2) % 3];
+  for (int i = 0; i < 6; i++)
+    for (int j = 0; j < 6; j++) {
+      expansion *high = box->value + i * across + j * along;
+      expansion *to = low->value + i * across + j * along;
+      for (int level = 0; level < 6; level++) {
+        to[level * stride] = high[0];
+        for (int k = 0; k < 5 - level; k++) {
+          expansion sum = expansion_sum(&high[k * stride], &high[(k + 1) * stride]);
+          high[k * stride] = expansion_scaled(&sum, 0.5);
+        }
+      }
+    }
+  box_place whole = box->place;
+  box_halve(&whole, &low->place, &box->place);
+}
+
+static jacobian_sign prove_by_bisection(exact_box *stack, double witness[3]) {
+  int top = 1;
+  for (int boxes = 0; top > 0; boxes++) {
+    exact_box *box = &stack[top - 1];
+    if (boxes == MAX_BOXES || is_lost(box))
+      return JACOBIAN_UNDECIDED;
+    int corner = nonpositive_corner(box);
+    if (corner >= 0) {
+      box_corner_point(&box->place, corner, witness);
+      return JACOBIAN_NONPOSITIVE;
+    }
+    if (all_positive(box)) {
+      top--;
+    } else if (box->place.depth == MAX_DEPTH || top == MAX_OPEN) {
+      return JACOBIAN_UNDECIDED;
+    } else {
+      bisect(box, box + 1);
+      top++;
+    }
+  }
+  return JACOBIAN_POSITIVE;
+}
+
+jacobian_sign prove_curved_jacobian_exactly(double nodes[20][3], void *memory, double witness[3]) {
+  static const box_place whole = {0};
+  exact_room *room = memory;
+  double scaled[20][3];
+  if (!scale_nodes(nodes, scaled))
+    return JACOBIAN_UNDECIDED;
+  make_controls(scaled, room->controls);
+  for (int axis = 0; axis < 3; axis++)
+    derive(room->controls, axis, room->derivatives[axis]);
+  int corner = nonpositive_hex_corner(room);
+  if (corner >= 0) {
+    for (int axis = 0; axis < 3; axis++)
+      witness[axis] = corner >> (2 - axis) & 1;
+    return JACOBIAN_NONPOSITIVE;
+  }
+  make_coefficients(room);
+  room->stack[0].place = whole;
+  return prove_by_bisection(room->stack, witness);
+}
