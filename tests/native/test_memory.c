@@ -217,6 +217,25 @@ static hexcon_status call_mesh_smallest(hexcon_context *context, material *m) {
   return mesh_by(context, &m->small, HEXCON_METHOD_SMALLEST, 1);
 }
 
+/** The swept mesh's own hexes, with places for the inner points and without. */
+static hexcon_status call_mesh_proposal(hexcon_context *context, material *m) {
+  const test_mesh *given = &m->swept;
+  const size_t inner = given->point_count - given->surface_point_count;
+  hexcon_status status = HEXCON_OK;
+  for (int placed = 0; !status && placed < 2; placed++) {
+    const hexcon_proposal proposal = {given->hex_count, given->hexes, inner,
+                                      placed ? given->points + 3 * given->surface_point_count
+                                             : NULL};
+    const hexcon_mesh_options options = {
+        .method = HEXCON_METHOD_PROPOSAL, .proposal = &proposal, .allow_uncertified = true};
+    hexcon_mesh *mesh;
+    status = hexcon_mesh_surface(context, given->points, given->surface_point_count, given->quads,
+                                 given->quad_count, &options, &mesh);
+    hexcon_mesh_free(context, mesh);
+  }
+  return status;
+}
+
 static hexcon_status call_mesh_not_swept(hexcon_context *context, material *m) {
   hexcon_status status = mesh_of(context, &m->not_swept, 1);
   return status == HEXCON_NOT_SWEPT ? HEXCON_OK : status;
@@ -332,6 +351,7 @@ static const struct {
              {"mesh", call_mesh},
              {"mesh second order", call_mesh_second_order},
              {"mesh twisted", call_mesh_twisted},
+             {"mesh proposal", call_mesh_proposal},
              {"mesh not swept", call_mesh_not_swept},
              {"mesh four-split", call_mesh_four_split},
              {"mesh pyramid", call_mesh_pyramid},

@@ -164,7 +164,11 @@ static void refusals(void **state) {
   hexcon_context *context = hexcon_context_new();
   test_mesh torus = make_torus(4, 3);
   for (int method = 0; method < HEXCON_METHOD_COUNT; method++) {
+    static const int32_t hex[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+    const hexcon_proposal proposal = {.hex_count = 1, .hexes = hex}; /* is not looked at any more */
     hexcon_mesh_options options = {.method = (hexcon_method)method};
+    if (method == HEXCON_METHOD_PROPOSAL)
+      options.proposal = &proposal;
     hexcon_mesh *mesh = NULL;
     const int32_t *ids;
     hexcon_status status = hexcon_mesh_surface(context, torus.points, torus.surface_point_count,

@@ -49,7 +49,7 @@ static bool is_any(const hexcon_method_facts *facts) {
 
 static void lists_of_methods(void **state) {
   (void)state;
-  const char first[] = "auto, swept, sheets, ";
+  const char first[] = "auto, proposal, swept, sheets, ";
   char text[METHOD_LIST];
   method_list(is_solvers, text);
   assert_int_equal(strncmp(text, first, strlen(first)), 0);
@@ -61,9 +61,13 @@ static void lists_of_methods(void **state) {
 /** @return what a cube of 6 quads comes to with these options */
 static hexcon_status mesh_cube(hexcon_context *context, const hexcon_mesh_options *options) {
   test_mesh cube = make_box(1, 1, 1);
+  const hexcon_proposal proposal = {.hex_count = cube.hex_count, .hexes = cube.hexes};
+  hexcon_mesh_options given = *options;
+  if (given.method == HEXCON_METHOD_PROPOSAL || given.proposal)
+    given.proposal = &proposal;
   hexcon_mesh *mesh;
   hexcon_status status = hexcon_mesh_surface(context, cube.points, cube.surface_point_count,
-                                             cube.quads, cube.quad_count, options, &mesh);
+                                             cube.quads, cube.quad_count, &given, &mesh);
   hexcon_mesh_free(context, mesh);
   test_mesh_free(&cube);
   return status;
@@ -72,14 +76,16 @@ static hexcon_status mesh_cube(hexcon_context *context, const hexcon_mesh_option
 static void options_are_refused_by_the_table(void **state) {
   (void)state;
   hexcon_context *context = hexcon_context_new();
+  const hexcon_proposal any = {0};
   for (size_t i = 0; i < HEXCON_METHOD_COUNT; i++) {
     const hexcon_method_facts *f = hexcon_method_info(i);
     const hexcon_mesh_options given[] = {
         {.method = f->method, .allow_uncertified = true, .layers = 1},
         {.method = f->method, .allow_uncertified = true, .no_core = true},
-        {.method = f->method, .allow_uncertified = true, .pairing = HEXCON_PAIRING_FEWEST}};
-    const bool takes[] = {f->layers, f->core, f->pairing};
-    for (size_t k = 0; k < 3; k++) {
+        {.method = f->method, .allow_uncertified = true, .pairing = HEXCON_PAIRING_FEWEST},
+        {.method = f->method, .allow_uncertified = true, .proposal = &any}};
+    const bool takes[] = {f->layers, f->core, f->pairing, f->proposal};
+    for (size_t k = 0; k < 4; k++) {
       bool refused = mesh_cube(context, &given[k]) == HEXCON_BAD_ARGUMENT;
       assert_int_equal(refused, !takes[k]);
       assert_int_equal(refused,
