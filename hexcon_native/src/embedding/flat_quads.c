@@ -94,8 +94,7 @@ static bool overlap_along(const double *const a[2], const double *const b[2], in
          (a[0][k] >= b[0][k] || a[0][k] >= b[1][k] || a[1][k] >= b[0][k] || a[1][k] >= b[1][k]);
 }
 
-/** Two segments of one plane, ends included, seen along an axis. */
-static meeting segments_meet_along(int axis, const double *const a[2], const double *const b[2]) {
+meeting segments_meet_along(int axis, const double *const a[2], const double *const b[2]) {
   int signs[4] = {
       orientation_along(axis, a[0], a[1], b[0]), orientation_along(axis, a[0], a[1], b[1]),
       orientation_along(axis, b[0], b[1], a[0]), orientation_along(axis, b[0], b[1], a[1])};

@@ -30,7 +30,10 @@ void flat_quad_set(flat_quad *quad, const double *points, const int32_t ids[4]);
  * where the arithmetic is too narrow. */
 meeting flat_quads_meet(const flat_quad *a, const flat_quad *b);
 
-/** The same of side `side` of a quad of any form and a convex one. */
+/** Two segments of one plane, by their ends, which belong to them, as seen along an axis. */
+meeting segments_meet_along(int axis, const double *const a[2], const double *const b[2]);
+
+/** The same as flat_quads_meet of side `side` of a quad of any form and a convex one. */
 meeting side_meets_flat_quad(const flat_quad *a, int side, const flat_quad *b);
 
 #endif

@@ -8,28 +8,6 @@
 /* ---------------------------------------------------------------------------------- side and side
  */
 
-static bool between(double value, double low, double high) {
-  return (low <= value && value <= high) || (high <= value && value <= low);
-}
-
-/** Two segments that lie in a plane, seen along an axis: they meet, ends included. */
-static bool meet_along(int axis, const double *p, const double *q, const double *x,
-                       const double *y) {
-  int j = (axis + 1) % 3, k = (axis + 2) % 3;
-  int signs[4] = {orientation_along(axis, p, q, x), orientation_along(axis, p, q, y),
-                  orientation_along(axis, x, y, p), orientation_along(axis, x, y, q)};
-  bool flat = true;
-  for (int i = 0; i < 4; i++) {
-    if (signs[i] == ORIENTATION_LOST)
-      return false;
-    flat &= signs[i] == 0;
-  }
-  if (!flat)
-    return signs[0] * signs[1] <= 0 && signs[2] * signs[3] <= 0;
-  return (between(x[j], p[j], q[j]) || between(y[j], p[j], q[j]) || between(p[j], x[j], y[j])) &&
-         (between(x[k], p[k], q[k]) || between(y[k], p[k], q[k]) || between(p[k], x[k], y[k]));
-}
-
 /** From a common end the two go the same way. */
 static bool run_together(const double *from, const double *one, const double *other) {
   for (int axis = 0; axis < 3; axis++)
@@ -53,15 +31,17 @@ static bool sides_touch(const flat_quad *a, int side_a, const flat_quad *b, int 
         free_a = 1 - i;
         free_b = 1 - j;
       }
-  const double *p = a->corners[ends_a[0]], *q = a->corners[ends_a[1]];
-  const double *x = b->corners[ends_b[0]], *y = b->corners[ends_b[1]];
+  const double *const one[2] = {a->corners[ends_a[0]], a->corners[ends_a[1]]};
+  const double *const other[2] = {b->corners[ends_b[0]], b->corners[ends_b[1]]};
   if (common == 2)
     return false;
   if (common == 1)
     return run_together(a->corners[ends_a[1 - free_a]], a->corners[ends_a[free_a]],
                         b->corners[ends_b[free_b]]);
-  return orientation_in_space(p, q, x, y) == 0 && meet_along(0, p, q, x, y) &&
-         meet_along(1, p, q, x, y) && meet_along(2, p, q, x, y);
+  bool meet = orientation_in_space(one[0], one[1], other[0], other[1]) == 0;
+  for (int axis = 0; axis < 3; axis++)
+    meet = meet && segments_meet_along(axis, one, other) == MEETING_PROVED;
+  return meet;
 }
 
 /* ------------------------------------------------------------------------------ corner and patch

@@ -3,9 +3,6 @@
 
 #include <math.h>
 
-/** Volumes of bodies larger than this leave the range of a double. */
-static const double largest_coordinate = 1e100;
-
 static hexcon_status check_counts(hexcon_context *context, size_t point_count, size_t quad_count) {
   if (quad_count == 0)
     return context_fail(context, HEXCON_EMPTY, "the surface has no quads");

@@ -5,6 +5,9 @@
 
 #include "base/context.h"
 
+/** Volumes of bodies larger than this leave the range of a double. */
+static const double largest_coordinate = 1e100;
+
 /**
  * EMPTY, TOO_LARGE, INDEX_OUT_OF_RANGE, REPEATED_VERTEX, and with points NOT_FINITE and
  * UNUSED_POINT. Linear.

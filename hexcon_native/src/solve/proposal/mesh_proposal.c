@@ -39,9 +39,6 @@ static hexcon_status check_use(hexcon_context *context, const hexcon_proposal *p
   return HEXCON_OK;
 }
 
-/** Beyond it volumes leave the range of a double. */
-static const double largest_coordinate = 1e100;
-
 hexcon_status proposal_check(hexcon_context *context, const hexcon_proposal *proposal,
                              size_t surface_point_count) {
   if (proposal->hex_count == 0)
