@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What CAD faces and edges lie on, in closed form where there is one, and the nearest points on it.
+
+Open CASCADE's parametrisations (gp_Pln, gp_Cylinder ... in its reference) tell the closed forms from a few values; each
+is checked against others before it is believed.
+"""
+from dataclasses import dataclass, field
+
+import gmsh
+import numpy as np
+
+_AGREES = 1e-9      # part of the size of what is described: a closed form that is farther off is none
+
+
+@dataclass(frozen=True)
+class Carrier:
+    """A surface or a curve without its border.
+
+    kind     "Plane" (origin, axis: normal), "Cylinder" (origin, axis, radius), "Sphere" (origin: centre, radius),
+             "Cone" (origin: apex, axis, slope: radius / height, one of its two nappes or both),
+             "Torus" (origin, axis, radius, minor); "Line" (origin, axis), "Circle" (origin, axis, radius);
+             "other": asks gmsh
+    origin   (3,);  axis: (3,) unit;  radius, minor, slope: floats
+    """
+
+    dim: int
+    tag: int
+    kind: str
+    origin: np.ndarray = field(default_factory=lambda: np.zeros(3))
+    axis: np.ndarray = field(default_factory=lambda: np.array([0.0, 0.0, 1.0]))
+    radius: float = 0.0
+    minor: float = 0.0
+    slope: float = 0.0
+
+    def project(self, points):
+        """(nearest points (n,3), unit normals of a surface or tangents of a curve (n,3), of either sign)."""
+        points = np.asarray(points, float).reshape(-1, 3)
+        if not len(points):
+            return points.copy(), points.copy()
+        return _PROJECTIONS[self.kind](self, points)
+
+
+def surface_carrier(face, scale):
+    """Carrier of a CAD face; scale: a length to compare errors with."""
+    kind = gmsh.model.getType(2, face)
+    found = _SURFACES[kind](face) if kind in _SURFACES else None
+    if found is not None:
+        made = Carrier(2, face, kind, **found)
+        low, high = (np.array(b) for b in gmsh.model.getParametrizationBounds(2, face))
+        at = low + _PROBES * (high - low)
+        if _agrees(made, np.array(gmsh.model.getValue(2, face, at.ravel())).reshape(-1, 3), scale):
+            return made
+    return Carrier(2, face, "other")
+
+
+def curve_carrier(edge, scale):
+    """Carrier of a CAD edge."""
+    kind = gmsh.model.getType(1, edge)
+    found = _CURVES[kind](edge) if kind in _CURVES else None
+    if found is not None:
+        made = Carrier(1, edge, kind, **found)
+        low, high = (float(b[0]) for b in gmsh.model.getParametrizationBounds(1, edge))
+        points = np.array(gmsh.model.getValue(1, edge, low + _PROBES[:, 0] * (high - low))).reshape(-1, 3)
+        if _agrees(made, points, scale):
+            return made
+    return Carrier(1, edge, "other")
+
+
+_PROBES = np.array([[0.0, 0.0], [1.0, 0.3], [0.13, 1.0], [0.41, 0.57], [0.72, 0.19], [0.93, 0.86], [0.29, 0.77]])
+
+
+def _agrees(carrier, points, scale):
+    return np.abs(carrier.project(points)[0] - points).max() <= _AGREES * scale
+
+
+def _values(face, *parameters):
+    return np.array(gmsh.model.getValue(2, face, np.ravel(parameters).astype(float))).reshape(-1, 3)
+
+
+def _unit(vectors):
+    return vectors / np.maximum(np.linalg.norm(vectors, axis=-1, keepdims=True), 1e-300)
+
+
+# O + u X + v Y
+def _plane(face):
+    o, x, y = _values(face, (0, 0), (1, 0), (0, 1))
+    return {"origin": o, "axis": _unit(np.cross(x - o, y - o))}
+
+
+# O + r (cos u X + sin u Y) + v Z
+def _cylinder(face):
+    here, there, up = _values(face, (0, 0), (np.pi, 0), (0, 1))
+    return {"origin": (here + there) / 2, "axis": _unit(up - here), "radius": np.linalg.norm(here - there) / 2}
+
+
+# O + (R + v sin a)(cos u X + sin u Y) + v cos a Z
+def _cone(face):
+    a, b, c, d = _values(face, (0, 0), (np.pi, 0), (0, 1), (np.pi, 1))
+    low, high, across = (a + b) / 2, (c + d) / 2, _unit(a - b)
+    here, there = ((a - b) @ across) / 2, ((c - d) @ across) / 2
+    if abs(there - here) < 1e-12:
+        return None
+    height = np.linalg.norm(high - low)
+    return {"origin": low - here / (there - here) * (high - low), "axis": _unit(high - low),
+            "slope": abs(there - here) / height}
+
+
+# O + r cos v (cos u X + sin u Y) + r sin v Z
+def _sphere(face):
+    here, there = _values(face, (0, 0), (np.pi, 0))
+    return {"origin": (here + there) / 2, "radius": np.linalg.norm(here - there) / 2}
+
+
+# O + (R + r cos v)(cos u X + sin u Y) + r sin v Z
+def _torus(face):
+    out, inner, there, quarter = _values(face, (0, 0), (0, np.pi), (np.pi, 0), (np.pi / 2, 0))
+    centre, minor = (out + there) / 2, np.linalg.norm(out - inner) / 2
+    return {"origin": centre, "axis": _unit(np.cross(out - centre, quarter - centre)),
+            "radius": np.linalg.norm(out - centre) - minor, "minor": minor}
+
+
+# O + t X
+def _line(edge):
+    a, b = np.array(gmsh.model.getValue(1, edge, [0.0, 1.0])).reshape(2, 3)
+    return {"origin": a, "axis": _unit(b - a)}
+
+
+# O + r (cos t X + sin t Y)
+def _circle(edge):
+    a, b, c = np.array(gmsh.model.getValue(1, edge, [0.0, np.pi / 2, np.pi])).reshape(3, 3)
+    o = (a + c) / 2
+    return {"origin": o, "axis": _unit(np.cross(a - o, b - o)), "radius": np.linalg.norm(a - o)}
+
+
+_SURFACES = {"Plane": _plane, "Cylinder": _cylinder, "Cone": _cone, "Sphere": _sphere, "Torus": _torus}
+_CURVES = {"Line": _line, "Circle": _circle}
+
+
+def _onto_plane(c, p):
+    return p - ((p - c.origin) @ c.axis)[:, None] * c.axis, np.broadcast_to(c.axis, p.shape).copy()
+
+
+def _parts(c, p):
+    """(heights along the axis, unit vectors away from it) of points."""
+    d = p - c.origin
+    z = d @ c.axis
+    return z, _unit(d - z[:, None] * c.axis)
+
+
+def _onto_cylinder(c, p):
+    z, e = _parts(c, p)
+    return c.origin + z[:, None] * c.axis + c.radius * e, e
+
+
+def _onto_sphere(c, p):
+    n = _unit(p - c.origin)
+    return c.origin + c.radius * n, n
+
+
+def _onto_cone(c, p):
+    z, e = _parts(c, p)
+    side = np.where(z >= 0.0, 1.0, -1.0)[:, None]
+    ruling = _unit(side * c.axis + c.slope * e)
+    along = np.maximum(((p - c.origin) * ruling).sum(1), 0.0)[:, None]
+    return c.origin + along * ruling, _unit(e - c.slope * side * c.axis)
+
+
+def _onto_torus(c, p):
+    _, e = _parts(c, p)
+    ring = c.origin + c.radius * e
+    n = _unit(p - ring)
+    return ring + c.minor * n, n
+
+
+def _onto_line(c, p):
+    return c.origin + ((p - c.origin) @ c.axis)[:, None] * c.axis, np.broadcast_to(c.axis, p.shape).copy()
+
+
+def _onto_circle(c, p):
+    _, e = _parts(c, p)
+    return c.origin + c.radius * e, np.cross(c.axis, e)
+
+
+def _by_gmsh(c, p):
+    found = np.array(gmsh.model.getClosestPoint(c.dim, c.tag, p.ravel())[0])    # its parameters are 0 in gmsh 4.8
+    ask = surface_normals if c.dim == 2 else _tangents
+    return found.reshape(-1, 3), ask(c.tag, found.reshape(-1, 3))
+
+
+def surface_normals(face, points):
+    """(n,3) unit normals of gmsh at points of a CAD face, NaN where it finds none."""
+    return _at_parameters(2, face, points, lambda uv: gmsh.model.getNormal(face, uv))
+
+
+def _tangents(edge, points):
+    return _at_parameters(1, edge, points, lambda t: gmsh.model.getDerivative(1, edge, t))
+
+
+def _at_parameters(dim, tag, points, ask):
+    """Unit vectors that gmsh gives at points of an entity; NaN where it cannot tell their parameters."""
+    try:
+        return _unit(np.array(ask(gmsh.model.getParametrization(dim, tag, points.ravel()))).reshape(-1, 3))
+    except Exception:       # gmsh raises Exception itself, for one bad point among many
+        if len(points) == 1:
+            return np.full((1, 3), np.nan)
+        half = len(points) // 2
+        return np.vstack([_at_parameters(dim, tag, part, ask) for part in (points[:half], points[half:])])
+
+
+_PROJECTIONS = {"Plane": _onto_plane, "Cylinder": _onto_cylinder, "Sphere": _onto_sphere, "Cone": _onto_cone,
+                "Torus": _onto_torus, "Line": _onto_line, "Circle": _onto_circle, "other": _by_gmsh}
