@@ -4,7 +4,7 @@ import os
 import tempfile
 
 import hexcon
-from hexcon.files import WRITERS, read_mesh
+from hexcon.files import READERS, WRITERS, read_mesh
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 mesh = hexcon.mesh_solid(os.path.join(ROOT, "resources", "examples", "box.step"), 5.0)
@@ -16,4 +16,7 @@ with tempfile.TemporaryDirectory() as folder:
         read = read_mesh(path)
         size = os.path.getsize(path)
         print(f"{ending}  {size:7d} bytes, read back: {len(read.points)} points, {len(read.hexes)} hexes")
-print(f"through FreeCAD also: {', '.join(sorted(set(WRITERS) - {'.inp', '.msh', '.vtu', '.vtk', '.unv'}))}")
+    for ending in (".re2", ".exo", ".specfem3d"):
+        hexcon.write(mesh, os.path.join(folder, "box" + ending))
+    print(f"for solvers:  {', '.join(sorted(os.listdir(folder)))}")
+print(f"written only: {', '.join(sorted(set(WRITERS) - set(READERS)))}")

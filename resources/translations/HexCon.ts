@@ -569,6 +569,22 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>shortest {least:.4g}, longest {most:.4g}; the time step of explicit solvers follows the shortest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>most {most:.2f}, mean {mean:.2f}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Aspect ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>not checked</source>
         <translation type="unfinished"></translation>
     </message>

@@ -123,6 +123,16 @@ def test_wrong_usage(arguments):
     assert done.returncode == 2 and "usage" in done.stderr and not done.stdout
 
 
+def test_help_and_refusals_name_every_format(tmp_path):
+    """They read the tables: a new format is in them by itself."""
+    said = " ".join(hexcon("mesh", "--help").stdout.split())
+    assert f"decides its format: {' '.join(files.shown(files.WRITERS))} (" in said
+    said = " ".join(hexcon("check", "--help").stdout.split())
+    assert f"any hex mesh ({' '.join(files.shown(files.READERS))})" in said
+    refused = hexcon("mesh", BOX, "--size", 9, "-o", tmp_path / "x.stl")
+    assert refused.returncode == 1 and all(ending in refused.stderr for ending in files.shown(files.WRITERS))
+
+
 def test_help_tells_the_exit_status():
     for command in ("mesh", "check", "info", "example", "solve"):
         done = hexcon(command, "--help")

@@ -23,7 +23,9 @@ SHOWN = {
                 r"boundary exact: False"],
     "fill_surface": [r"52 quads, genus 0", r"24 hexes by method swept", r"<certified>", r"bit for bit: True"],
     "formats": [r"on 6 CAD faces", *(rf"^\{ending} .* read back: \d+ points, 80 hexes$"
-                                     for ending in (".inp", ".msh", ".vtu", ".vtk", ".unv")), r"\.fcstd, \.med"],
+                                     for ending in (".inp", ".msh", ".vtu", ".vtk", ".unv")),
+                r"^for solvers: +box\.exo.* box\.re2, box\.specfem3d",
+                r"^written only: \.exo, \.fcstd, \.re2, \.specfem3d$"],
     "literature": [r"^schneiders   16 quads", r"smallest    36 hexes, <certified>", r"octahedron    8 quads",
                    r"smallest    40 hexes, <certified>", r"UNFILLABLE_QUAD"],
     "morph": [r"twisted by  90  reached 100%: <certified>", r"twisted by 180  reached 100%: <certified>"],

@@ -83,7 +83,7 @@ def told(tmp_path_factory):
 
 def test_every_writer_names_the_cause(told):
     answers, _, _ = told
-    assert len(answers) == 15
+    assert len(answers) == 18
     for name, (code, words) in answers.items():
         assert code == "FILE_IO" and "no space left on the disk" in words, (name, code, words)
 

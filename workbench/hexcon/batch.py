@@ -12,7 +12,7 @@ from .cli.arguments import CHOSEN, LAYERS_HELP, PAIRING_HELP, PAIRINGS, methods_
 from .cli.commands import SOLID_ENDINGS, pairing_option
 from .cli.terminal import complain, say
 from .errors import FaultCode, HexconError, ToolError
-from .files import WRITERS, check_method_for, write
+from .files import SOLVER_ENDINGS, WRITERS, check_method_for, shown, write
 from .meshing import mesh_solid
 from .quads import METHOD_TABLE as SURFACE_METHOD_TABLE
 from .topological import BY_OPTION, is_topological
@@ -104,8 +104,7 @@ def _parser():
     parser.add_argument("folder")
     parser.add_argument("--out", help="where results go (default: FOLDER/hexcon)")
     parser.add_argument("--size", type=float, required=True, help="wanted edge length, mm")
-    parser.add_argument("--write", action="append", choices=sorted(
-        ".FCStd" if e == ".fcstd" else e for e in WRITERS),
+    parser.add_argument("--write", action="append", choices=sorted(shown(WRITERS)),
         help="a format; may be given several times (default .inp)")
     parser.add_argument("--order", type=int, choices=(1, 2), default=1)
     parser.add_argument("--surface-method", choices=list(SURFACE_METHOD_TABLE), default="auto",
@@ -116,7 +115,7 @@ def _parser():
     parser.add_argument("--pairing", choices=PAIRINGS, default=PAIRINGS[0],
                         help=PAIRING_HELP)
     parser.add_argument("--allow-topological", action="store_true",
-                        help="write a mesh of topology only even to .inp and .FCStd")
+                        help=f"write a mesh of topology only even to {', '.join(shown(SOLVER_ENDINGS))}")
     return parser
 
 

@@ -88,6 +88,34 @@ def remove_folder(folder):
     keeper.let_folder_go(folder)
 
 
+def put_in_place(made, path, is_own=None):
+    """Move a file, or a folder, that was made beside path to path. What was there goes; where this fails it stays.
+
+    is_own  callable (name): whether a folder that is there may lose a file of that name. It is not touched where it
+            holds any other, or a folder. Raises OSError, or ToolError(FILE_IO) for what must not go.
+    """
+    if not os.path.isdir(made) or not os.path.lexists(path):
+        os.replace(made, path)
+        return
+    if os.path.islink(path) or not os.path.isdir(path):
+        raise ToolError(f"cannot write {path}: it is a file, and a folder is to be written; remove it, or give another "
+                        "name", FaultCode.FILE_IO)
+    with os.scandir(path) as entries:
+        strange = sorted(entry.name for entry in entries
+                         if not entry.is_file(follow_symlinks=False) or not is_own(entry.name))
+    if strange:
+        raise ToolError(f"cannot write {path}: the folder holds {strange[0]!r}, which HexCon has not written; give another "
+                        "name", FaultCode.FILE_IO)
+    old = f"{path}.old-{secrets.token_hex(4)}"      # beside it, so that nothing is lost if this process is killed now
+    os.rename(path, old)
+    try:
+        os.rename(made, path)
+    except BaseException:
+        os.rename(old, path)
+        raise
+    shutil.rmtree(old, ignore_errors=True)
+
+
 def write_arrays(path, arrays):
     """An .npz file of a dict of arrays, as np.savez makes it. Raises OSError, and nothing after it: on a full disk
     np.savez leaves an archive open, which complains once more when it is collected."""

@@ -6,7 +6,8 @@ import math
 import hexcon_native
 
 from ..examples import example_names
-from ..files.surfaces import SURFACE_ENDINGS
+from ..files import READERS, SOLVER_ENDINGS, WRITERS, shown
+from ..files.surfaces import MESH_ENDINGS, SURFACE_ENDINGS
 from ..quads import METHOD_TABLE as SURFACE_METHOD_TABLE
 from . import commands, examples
 from .terminal import Parser
@@ -74,8 +75,8 @@ def _add_filling(command, method="auto"):
     command.add_argument("--allow-uncertified", action="store_true",
                          help="write the best mesh found even if its certificate fails")
     command.add_argument("--allow-topological", action="store_true",
-                         help="give a mesh of topology only to a solver all the same: .inp, "
-                              ".FCStd, solve")
+                         help="give a mesh of topology only to a solver all the same: "
+                              f"{', '.join(shown(SOLVER_ENDINGS))}, solve")
     command.add_argument("--timeout", type=float, default=120.0, metavar="S",
                          help="seconds for gmsh (default 120)")
     command.add_argument("--budget", type=float, default=0.0, metavar="S",
@@ -86,10 +87,9 @@ def _add_filling(command, method="auto"):
 def _add_mesh(commands_parser):
     command = commands_parser.add_parser(
         "mesh", help="fill a solid or a quad surface with hexes", epilog=_EXIT,
-        description="IN is a solid (.step .stp .brep .brp .FCStd), a quad surface (.msh .inp .unv "
-                    ".vtk .vtu .obj .mesh) or example:NAME (see hexcon example). OUT's ending "
-                    "decides its format: .inp .msh .vtu .vtk .unv .med .FCStd (the last two "
-                    "through FreeCAD).")
+        description=f"IN is a solid ({' '.join(shown(commands.SOLID_ENDINGS))}), a quad surface "
+                    f"({' '.join(MESH_ENDINGS)}) or example:NAME (see hexcon example). OUT's ending decides its "
+                    f"format: {' '.join(shown(WRITERS))} (.med and .FCStd through FreeCAD; .specfem3d is a folder).")
     command.add_argument("input", metavar="IN")
     command.add_argument("-o", "--output", metavar="OUT", action="append", required=True,
                          help="may be given several times")
@@ -100,7 +100,7 @@ def _add_mesh(commands_parser):
 def _add_check(commands_parser):
     command = commands_parser.add_parser(
         "check", help="prove a hex mesh, or say what is wrong with it", epilog=_EXIT,
-        description="MESH is any hex mesh (.inp .msh .vtu .vtk .unv .med .mesh).")
+        description=f"MESH is any hex mesh ({' '.join(shown(READERS))}).")
     command.add_argument("input", metavar="MESH")
     command.add_argument("--surface", metavar="QUADS",
                          help="the quad surface that the boundary must equal (default: the mesh's "

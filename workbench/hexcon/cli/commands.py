@@ -11,8 +11,9 @@ from ..calculix.deck import face_number
 from ..calculix.judging import check_loads
 from ..errors import FaultCode, ToolError
 from ..examples import example
-from ..files import WRITERS, check_method_for, read_mesh, write
+from ..files import WRITERS, check_method_for, ending_of, read_mesh, shown, write
 from ..judging.fillable import fillable
+from ..judging.lengths import lengths_of
 from ..judging.report import check_mesh
 from ..meshing import mesh_quad_surface, mesh_solid
 from ..quads import surface_from_file
@@ -21,10 +22,6 @@ from ..topological import BY_OPTION, MEANING, is_topological, refuse_topological
 
 SOLID_ENDINGS = (*CAD_ENDINGS, ".fcstd")
 EXAMPLE = "example:"  # what an input starts with that is no file but an example's name
-
-
-def _ending(path):
-    return os.path.splitext(path)[1].lower()
 
 
 def _certificate_line(certificate, order=1):
@@ -54,6 +51,13 @@ def _quality_line(quality):
             f"{quality.mean:.4f}")
 
 
+def _lengths_line(lengths):
+    figures = lengths.as_dict()["aspect_ratio"]
+    return (f"edges         shortest {lengths.shortest:.6g} (hex {lengths.shortest_hex}), longest "
+            f"{lengths.longest:.6g}; aspect ratio at most {figures['max']:.3f} (hex {figures['max_hex']}), mean "
+            f"{figures['mean']:.3f}")
+
+
 def pairing_option(pairing):
     """The keyword for the core: none for the default, as only topological methods take it."""
     return {} if pairing == "all" else {"pairing": pairing}
@@ -77,7 +81,7 @@ def filling(options):
 def _mesh_input(options):
     """Mesh of the input, solid or surface."""
     kept = filling(options)
-    if _ending(options.input) in SOLID_ENDINGS:
+    if ending_of(options.input) in SOLID_ENDINGS:
         if options.size is None:
             raise ToolError("a solid needs --size, the wanted edge length in mm",
                             FaultCode.BAD_OPTION)
@@ -90,7 +94,7 @@ def _facts(mesh):
     return {"method": mesh.method, "order": mesh.order, "points": len(mesh.points),
             "hexes": len(mesh.hexes), "quads": len(mesh.quads),
             "topological": is_topological(mesh), "quality": _as_dict(mesh.quality),
-            "certificate": _as_dict(mesh.certificate),
+            "lengths": lengths_of(mesh.points, mesh.hexes).as_dict(), "certificate": _as_dict(mesh.certificate),
             "report": {k: v for k, v in mesh.report.items()}}
 
 
@@ -121,7 +125,8 @@ def _mesh_lines(mesh):
     lines += [f"mesh          {len(mesh.hexes)} hexes, {len(mesh.points)} points, order "
               f"{mesh.order}, method {mesh.method}: {_made_of(mesh)}",
               *(f"tried         {line}" for line in (*mesh.report.get("surface tries", ()), *mesh.report["log"])),
-              _quality_line(mesh.quality), _certificate_line(mesh.certificate, mesh.order)]
+              _quality_line(mesh.quality), _lengths_line(lengths_of(mesh.points, mesh.hexes)),
+              _certificate_line(mesh.certificate, mesh.order)]
     if is_topological(mesh):
         lines.append(f"topological   {MEANING}")
     return lines
@@ -130,8 +135,8 @@ def _mesh_lines(mesh):
 def check_outputs(options, known):
     """Raise what writing options.output would, known being its endings: before the work, not after it."""
     for path in options.output:
-        if _ending(path) not in known:
-            raise ToolError(f"cannot write {path}: one of {', '.join(sorted(known))} is possible",
+        if ending_of(path) not in known:
+            raise ToolError(f"cannot write {path}: one of {', '.join(shown(sorted(known)))} is possible",
                             FaultCode.FILE_FORMAT)
         if not os.path.isdir(os.path.dirname(os.path.abspath(path))):
             raise ToolError(f"cannot write {path}: its folder does not exist", FaultCode.FILE_IO)
@@ -163,7 +168,7 @@ def check(options):
     certificate, quality, curved = report.certificate, report.quality, report.curved
     lines = [f"mesh          {len(found.hexes)} hexes, {len(found.points)} points, order "
              f"{found.order}, {len(found.quads)} boundary quads", _quality_line(quality),
-             _certificate_line(certificate, 1 if len(curved) else found.order)]
+             _lengths_line(report.lengths), _certificate_line(certificate, 1 if len(curved) else found.order)]
     if len(curved):
         lines.append(f"              {len(curved)} hexes have middle nodes off the middles of "
                      "their edges; the above is of straight edges, of the curved nothing is proved")
@@ -175,7 +180,7 @@ def check(options):
     if len(certificate.crossings):
         lines.append(f"overlapping   {_pairs(certificate.crossings)}")
     return ({"points": len(found.points), "hexes": len(found.hexes), "order": found.order,
-             "quads": len(found.quads), "quality": quality.as_dict(),
+             "quads": len(found.quads), "quality": quality.as_dict(), "lengths": report.lengths.as_dict(),
              "certificate": certificate.as_dict(), "curved": curved[:1000],
              "certified": report.certified}, lines)
 
@@ -267,7 +272,7 @@ def solve(options):
     check_outputs(options, {".vtu", ".vtk", ".png"})
     force, pressure = _by_face(options.force), _by_face(options.pressure)
     check_loads(force, pressure)
-    is_solid = _ending(options.input) in SOLID_ENDINGS
+    is_solid = ending_of(options.input) in SOLID_ENDINGS
     made = _mesh_to_solve(options, is_solid)
     deck = static_deck(made, {"young": options.young, "poisson": options.poisson},
                        options.fixed, force, pressure,
@@ -292,7 +297,7 @@ def solve(options):
 
 
 def _write_result(made, path, displacements, stress):
-    if _ending(path) == ".png":
+    if ending_of(path) == ".png":
         from ..pictures import render
         render(made, path, displacements=displacements)
     else:

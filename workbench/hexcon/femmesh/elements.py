@@ -39,6 +39,19 @@ class Elements:
         """The CAD face numbers present, rising, without 0."""
         return [int(f) for f in np.unique(self.face_of_quad) if f > 0]
 
+    def group_of_quad(self):
+        """(n,) int64: the CAD face; of quads on none, the number after the highest: every quad is in a group."""
+        unnamed = int(self.face_of_quad.max(initial=0)) + 1
+        return np.where(self.face_of_quad > 0, self.face_of_quad, unnamed)
+
+    def groups(self):
+        """[(number, name, rows of quads)], group_of_quad's numbers rising: "Face3" of CAD face 3, else "Boundary"."""
+        numbers = self.group_of_quad()
+        order = np.argsort(numbers, kind="stable")
+        found, starts = np.unique(numbers[order], return_index=True)
+        return [(number, f"Face{number}" if self.face_of_quad[rows[0]] > 0 else "Boundary", rows)
+                for number, rows in zip(found.tolist(), np.split(order, starts[1:]))]
+
     def quads_of_face(self, face_number):
         """Rows of quads on that 1-based CAD face. Raises ToolError(BAD_OPTION) if none."""
         rows = np.flatnonzero(self.face_of_quad == face_number)

@@ -12,40 +12,52 @@ from hexcon.femmesh.boundary import owners
 from hexcon.femmesh.elements import elements_of
 from hexcon.topological import BY_KEYWORD, refuse_topological, refuse_topological_method
 
-from . import abaqus, freecad, gmsh, unv, vtk
+from . import abaqus, exodus, freecad, gmsh, nek5000, specfem3d, unv, vtk
 from .regular import naming_faults, regular_file
 from .through_meshio import read_meshio
 
 WRITERS = {".inp": abaqus.write, ".msh": gmsh.write, ".vtu": vtk.write_vtu,
            ".vtk": vtk.write_vtk, ".unv": unv.write, ".med": freecad.write_med,
-           ".fcstd": freecad.write_fcstd}
+           ".fcstd": freecad.write_fcstd, ".re2": nek5000.write, ".exo": exodus.write,
+           ".specfem3d": specfem3d.write}
 READERS = {".inp": abaqus.read, ".unv": unv.read, ".med": freecad.read_med,
            ".msh": read_meshio, ".vtu": read_meshio, ".vtk": read_meshio,
            ".mesh": read_meshio}
 
 _BY_LIBRARIES = (read_meshio, freecad.read_med)     # in a process of their own, which can be ended at any time
 
-# What a solver takes as it is: a deck with a material, a document with a FEM mesh object. The other
-# formats, .med among them, hold a bare mesh, which to look at is what topology is for.
-SOLVER_ENDINGS = (".inp", ".fcstd")
+# What a solver takes as it is: a deck with a material, a document with a FEM mesh object, the own formats of solvers. The
+# others, .med among them, hold a bare mesh, which to look at is what topology is for.
+SOLVER_ENDINGS = (".inp", ".fcstd", ".re2", ".exo", ".specfem3d")
+
+_OWN_FILES = {specfem3d.write: specfem3d.is_own}    # of writers of folders: what an older one may lose
 
 MOST_FACES = 10 ** 9    # no CAD face has a higher number; .msh holds 32 bits
 
-__all__ = ["READERS", "SOLVER_ENDINGS", "WRITERS", "check_method_for", "read_hexes", "read_mesh",
-           "write"]
+__all__ = ["READERS", "SOLVER_ENDINGS", "WRITERS", "check_method_for", "ending_of", "read_hexes", "read_mesh",
+           "shown", "write"]
+
+
+def ending_of(path):
+    """The ending that decides the format, in small letters: of part.specfem3d/ it is .specfem3d."""
+    return os.path.splitext(os.path.normpath(path))[1].lower()
+
+
+def shown(endings):
+    """Endings of a table as people write them, one after the other."""
+    return [".FCStd" if ending == ".fcstd" else ending for ending in endings]
 
 
 def _by_ending(path, table, verb):
-    ending = os.path.splitext(path)[1].lower()
+    ending = ending_of(path)
     if ending not in table:
-        known = ", ".join(".FCStd" if e == ".fcstd" else e for e in table)
         raise ToolError(f"cannot {verb} {path}: ending {ending or '(none)'} is unknown; "
-                        f"one of {known} is possible", FaultCode.FILE_FORMAT)
+                        f"one of {', '.join(shown(table))} is possible", FaultCode.FILE_FORMAT)
     return table[ending]
 
 
 def _is_for_solvers(path):
-    return os.path.splitext(path)[1].lower() in SOLVER_ENDINGS
+    return ending_of(path) in SOLVER_ENDINGS
 
 
 def check_method_for(paths, method, allow_topological=False, override=BY_KEYWORD):
@@ -60,11 +72,11 @@ def write(mesh, path, *, order=None, allow_topological=False, **options):
 
     mesh     .points, .hexes, .quads, .face_of_quad (see femmesh.elements.elements_of)
     order    1, 2 or None for the mesh's own
-    allow_topological  write a mesh of topology only even to .inp and .FCStd, which solvers take;
-             the file says that it is topological. The other formats, .med too, take it without
+    allow_topological  write a mesh of topology only even to SOLVER_ENDINGS, which solvers take; .inp and
+             .FCStd say that it is topological. The other formats, .med too, take it without
     options  .vtu and .vtk: point_data, cell_data (dicts of arrays); .FCStd: solid, a shape or a
              path; the default is mesh.solid, where mesh_solid has put it
-    The file is written beside its place and then put there: never a partial file.
+    The file, of .specfem3d the folder, is written beside its place and then put there: never a partial one.
     Raises ToolError: FILE_FORMAT (ending), FILE_IO (no permission, disk full, no folder),
     FREECAD_MISSING, BAD_MESH, BAD_OPTION, TOPOLOGICAL_MESH.
     """
@@ -79,11 +91,12 @@ def write(mesh, path, *, order=None, allow_topological=False, **options):
     if writer is freecad.write_fcstd:
         options.setdefault("solid", getattr(mesh, "solid", None))
     elements = elements_of(mesh, order)
-    replace_file(path, lambda beside: writer(beside, elements, **options))
+    replace_file(path, lambda beside: writer(beside, elements, **options), _OWN_FILES.get(writer))
 
 
-def replace_file(path, write_to):
-    """Call write_to(name beside path), then move that file to path, or leave no trace.
+def replace_file(path, write_to, is_own=None):
+    """Call write_to(name beside path), then move that file, or folder, to path, or leave no trace. is_own: see
+    disk.put_in_place.
 
     OSError becomes ToolError(FILE_IO), and so does any fault of a program on a full disk."""
     folder, base = os.path.split(os.path.abspath(path))
@@ -91,7 +104,7 @@ def replace_file(path, write_to):
     with disk.naming(folder, f"write {path}"), disk.working_folder(".hexcon-", folder) as beside:
         with disk.naming(folder, f"write {path}"):  # what was written still is there, so the disk is full
             write_to(os.path.join(beside, base))
-        os.replace(os.path.join(beside, base), path)
+        disk.put_in_place(os.path.join(beside, base), os.path.abspath(path), is_own)
 
 
 def _read(path, progress):

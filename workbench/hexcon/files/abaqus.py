@@ -14,7 +14,8 @@ from hexcon.labels import rows_of
 
 from .text import parse_numbers, write_list, write_numbered, write_rows
 
-STEEL = "*MATERIAL, NAME=STEEL\n*ELASTIC\n210000, 0.3\n*DENSITY\n7.9e-9\n"
+STEEL_YOUNG, STEEL_POISSON, STEEL_DENSITY = 210000, 0.3, 7.9e-9     # N, mm, MPa, tonne
+STEEL = f"*MATERIAL, NAME=STEEL\n*ELASTIC\n{STEEL_YOUNG}, {STEEL_POISSON}\n*DENSITY\n7.9e-9\n"
 
 
 def _field(value):

@@ -12,11 +12,8 @@ def write(path, elements):
     the boundary quads come first, then the hexahedra.
     """
     meshio = import_meshio(path)
-    unnamed = int(elements.face_of_quad.max(initial=0)) + 1
-    faces = np.where(elements.face_of_quad > 0, elements.face_of_quad, unnamed).astype(np.int32)
-    solid = np.ones(len(elements.hexes), np.int32)
-    names = {"Boundary" if number == unnamed else f"Face{number}": np.array([number, 2])
-             for number in np.unique(faces).tolist()}
+    faces, solid = elements.group_of_quad().astype(np.int32), np.ones(len(elements.hexes), np.int32)
+    names = {name: np.array([number, 2]) for number, name, _ in elements.groups()}
     kinds = ("quad8", "hexahedron20") if elements.order == 2 else ("quad", "hexahedron")
     mesh = meshio.Mesh(
         elements.points, [(kinds[0], elements.quads), (kinds[1], elements.hexes)],

@@ -11,6 +11,7 @@ from hexcon.femmesh.boundary import owners
 from hexcon.topological import is_topological
 
 from . import words
+from .lengths import Lengths, lengths_of
 from .straightness import curved_hexes
 
 
@@ -21,6 +22,7 @@ class CheckReport:
     counts           namespace: points, hexes, quads, order
     certificate      hexcon_native.Certificate (row numbers)
     quality          hexcon_native.Quality
+    lengths          Lengths: shortest edge, aspect ratios
     nonpositive      element numbers of the hexes not proved positive
     overlapping      element numbers of the hexes behind boundary quads that cross or touch others
     surface_known    the boundary was compared with the quads kept in the mesh's face groups
@@ -31,6 +33,7 @@ class CheckReport:
     counts: SimpleNamespace
     certificate: hexcon_native.Certificate
     quality: hexcon_native.Quality
+    lengths: Lengths
     nonpositive: list
     overlapping: list
     surface_known: bool
@@ -79,7 +82,7 @@ def check_mesh(found, progress=None, surface=None):
     return CheckReport(
         SimpleNamespace(points=len(found.points), hexes=len(found.hexes), quads=len(own.quads),
                         order=found.order),
-        certificate, hexcon_native.quality(found.points, found.hexes),
+        certificate, hexcon_native.quality(found.points, found.hexes), lengths_of(found.points, found.hexes),
         hex_ids[certificate.nonpositive].tolist(), hex_ids[np.unique(behind)].tolist(), known or surface is not None,
         hex_ids[curved_hexes(found.points, found.hexes)].tolist(),
         is_topological(found))

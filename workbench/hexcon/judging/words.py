@@ -9,6 +9,7 @@ from hexcon.translation import QT_TRANSLATE_NOOP, translate
 from hexcon_native import METHOD_TABLE
 
 from .fillable import fillable
+from .lengths import lengths_of
 
 ORDERS = {1: QT_TRANSLATE_NOOP("HexCon", "first order (C3D8)"),
           2: QT_TRANSLATE_NOOP("HexCon", "second order (C3D20)")}
@@ -67,6 +68,7 @@ def of_mesh(mesh):
     rows.append((translate("HexCon", "Method"), _made(mesh)))
     rows += _warning(is_topological(mesh))
     rows += _worth(mesh.quality, mesh.certificate)
+    rows += of_lengths(lengths_of(mesh.points, mesh.hexes))
     rows += [(translate("HexCon", "Note"), note) for note in report.get("surface notes", ())]
     rows += [(translate("HexCon", "Tried"), line) for line in (*report.get("surface tries", ()), *report["log"])]
     rows += [(translate("HexCon", "gmsh"), line) for line in report.get("gmsh", ())]
@@ -112,7 +114,8 @@ def of_check(report):
             (translate("HexCon", "Boundary"),
              translate("HexCon", "{quads} quads").format(quads=count(counts.quads))),
             *_warning(report.topological),
-            *_worth(report.quality, report.certificate, report.surface_known, report.straight)]
+            *_worth(report.quality, report.certificate, report.surface_known, report.straight),
+            *of_lengths(report.lengths)]
     if not report.surface_known:
         rows.append((translate("HexCon", "Note"), translate(
             "HexCon", "the mesh keeps no face groups that cover its boundary, so the boundary "
@@ -197,6 +200,15 @@ def _worth(quality, certificate, surface_known=True, straight=True):
     return [(translate("HexCon", "Scaled Jacobian"), _quality(quality)),
             (translate("HexCon", "Certificate"),
              _certificate(certificate, surface_known, straight))]
+
+
+def of_lengths(lengths):
+    """Rows for a Lengths."""
+    edges = translate("HexCon", "shortest\u00a0{least:.4g}, longest\u00a0{most:.4g}; the time step of explicit solvers "
+                      "follows the shortest").format(least=lengths.shortest, most=lengths.longest)
+    aspect = translate("HexCon", "most\u00a0{most:.2f}, mean\u00a0{mean:.2f}").format(
+        most=lengths.aspect_ratio.max(), mean=lengths.aspect_ratio.mean())
+    return [(translate("HexCon", "Edges"), edges), (translate("HexCon", "Aspect ratio"), aspect)]
 
 
 def _quality(quality):

@@ -16,6 +16,8 @@ PROPERTIES = (
     ("App::PropertyFloat", "Minimum", "Result", "Worst scaled Jacobian", 0.0, True),
     ("App::PropertyFloat", "FivePercent", "Result", "Scaled Jacobian that 5 % of the hexes fall short of", 0.0, True),
     ("App::PropertyFloat", "Mean", "Result", "Mean scaled Jacobian", 0.0, True),
+    ("App::PropertyFloat", "ShortestEdge", "Result", "Length of the shortest edge, which time steps follow", 0.0, True),
+    ("App::PropertyFloat", "AspectRatio", "Result", "Longest over shortest edge of a hex, where it is most", 0.0, True),
     ("App::PropertyIntegerList", "WorstElements", "Result", "Numbers of the worst elements, the worst first",
      None, True),
     ("App::PropertyFloatList", "WorstScaledJacobians", "Result", "Their scaled Jacobians", None, True),
@@ -54,6 +56,8 @@ class QualityReportObject(Parametric):
         set_changed(obj, {
             "Hexes": report.counts.hexes, "Nodes": report.counts.points, "Minimum": report.quality.min,
             "FivePercent": report.quality.q05, "Mean": report.quality.mean,
+            "ShortestEdge": report.lengths.shortest,
+            "AspectRatio": float(report.lengths.aspect_ratio.max()),
             "WorstElements": hex_ids[worst].tolist(), "WorstScaledJacobians": jacobians[worst].tolist(),
             "Certified": bool(report.certificate.certified), "Certificate": words.of_certificate(report)})
 
