@@ -30,8 +30,8 @@ def surface_from_solid(shape_or_file, size, method="auto", *, care=0, timeout=12
     timeout        seconds for gmsh
     progress       callable(stage, fraction in 0..1); an exception from it cancels and comes out here
 
-    Points lie on their CAD faces within 1e-7 * max(1, diagonal / 1000). Where two CAD faces leave a wider gap
-    at their edge, the points lie on the edge and a note says so.
+    Points lie on their CAD faces within 1e-7 * max(1, diagonal / 1000). Where the CAD's own edges and corners are
+    further off its faces, the points lie on the edge or the corner and a note says so, up to 1/20 of the size.
     Raises ToolError: BAD_OPTION, BAD_SHAPE, FILE_IO, FILE_FORMAT, FREECAD_MISSING, TOOL_MISSING, TOOL_TIMEOUT,
     TOOL_FAILED, NOT_SWEEPABLE, NOT_BLOCKS, NOT_TRANSFINITE, NOT_ALL_QUAD, ODD_SURFACE, OFF_CAD.
     """
@@ -69,11 +69,13 @@ def _check_distance(found, notes):
     off, tolerance = found["off_cad"], float(found["tolerance"])
     bad = np.flatnonzero(~(off <= tolerance))
     if len(bad):
+        faces = np.unique(found["faces"][np.isin(found["quads"], bad).any(axis=1)])
         raise ToolError(f"{len(bad)} points are off their CAD faces, by up to {np.fmax.reduce(off):.3g} "
-                        f"(allowed {tolerance:.3g})", FaultCode.OFF_CAD, bad)
+                        f"(allowed {tolerance:.3g}; on edges and corners of the CAD that are themselves off its faces, "
+                        f"1/20 of the size), at " + ", ".join(f"Face{f}" for f in faces[:10]), FaultCode.OFF_CAD, bad)
     gap = float(found["cad_gap"].max(initial=0.0))
     if gap > 0.0:
-        notes.append(f"the CAD's edges are up to {gap:.3g} off its faces; points there lie on the edges")
+        notes.append(f"the CAD's edges and corners are up to {gap:.3g} off its faces; points there lie on them")
 
 
 def _naming_file(fault, shape_or_file):

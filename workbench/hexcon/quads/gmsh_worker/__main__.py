@@ -8,7 +8,7 @@ import numpy as np
 from . import cad, session
 from .fault import WorkerFault
 from .methods import METHOD_TABLE, tried_by_auto
-from .nearness import distances
+from .nearness import check_corners, distances
 
 MOST_QUADS = 5e6    # more is a slip of the keyboard, and would fill the memory
 
@@ -21,9 +21,10 @@ def _run(job, link):
     if expected > MOST_QUADS:
         raise WorkerFault("BAD_OPTION", f"size {job['size']:g} would give about {expected:.2g} quads; at most "
                           f"{MOST_QUADS:.2g} are made")
+    check_corners(solid, job["size"])
     mesh, method, notes = _mesh(solid, job, link)
     link.progress("check", 0.0)
-    off, gaps = distances(solid, mesh)
+    off, gaps = distances(solid, mesh, job["size"])
     return {"points": mesh["points"], "quads": mesh["quads"], "faces": mesh["faces"], "off_cad": off,
             "cad_gap": gaps, "tolerance": solid.tolerance, "method": method,
             "notes": np.array(notes + mesh["notes"], dtype=str),

@@ -61,6 +61,9 @@ class Solid:
         self.boundary = {f: _signed_edges(f) for f in self.faces}
         self.edges = sorted({abs(e) for b in self.boundary.values() for e in b})
         self.vertex = {}
+        box = self.box()
+        self.diagonal = float(np.linalg.norm(box[3:] - box[:3]))
+        self.tolerance = 1e-7 * max(1.0, self.diagonal / 1000.0)
         self._drop_degenerate()
         self.ends = {e: self._ends(e) for e in self.edges}
         self.faces_of = {e: [] for e in self.edges}
@@ -74,17 +77,15 @@ class Solid:
         self.loops = {f: self._loops(f) for f in self.faces}
         self._tables = {}
         self._areas = {}
-        box = self.box()
-        self.diagonal = float(np.linalg.norm(box[3:] - box[:3]))
-        self.tolerance = 1e-7 * max(1.0, self.diagonal / 1000.0)
 
     def box(self):
         """(6,) least and largest coordinates, of OCC: a little too wide."""
         return np.array(gmsh.model.getBoundingBox(3, self.volume))
 
     def _drop_degenerate(self):
-        """Poles and apexes are edges of length zero in OCC: they bound nothing."""
-        dropped = {e for e in self.edges if _is_degenerate(e)}
+        """Poles and apexes are edges of length zero in OCC, or nearly, where a file gives them in decimals: they bound
+        nothing."""
+        dropped = {e for e in self.edges if _spread(e) < self.tolerance}
         if dropped:
             self.edges = [e for e in self.edges if e not in dropped]
             self.boundary = {f: [e for e in b if abs(e) not in dropped] for f, b in self.boundary.items()}
@@ -101,6 +102,11 @@ class Solid:
         if np.linalg.norm(start - self.vertex[first]) > np.linalg.norm(start - self.vertex[last]):
             first, last = last, first
         return first, last
+
+    def end_gap(self, edge):
+        """How far the curve of an edge ends from the vertices that it is to end in."""
+        ends = np.array(gmsh.model.getValue(1, edge, _bounds(edge))).reshape(2, 3)
+        return float(np.linalg.norm(ends - [self.vertex[v] for v in self.ends[edge]], axis=1).max())
 
     def start(self, signed):
         """Vertex where a signed edge begins."""
@@ -226,7 +232,8 @@ def _bounds(edge):
     return float(lo[0]), float(hi[0])
 
 
-def _is_degenerate(edge):
+def _spread(edge):
+    """How far five points of an edge are apart, in the direction of an axis."""
     lo, hi = _bounds(edge)
     p = np.array(gmsh.model.getValue(1, edge, np.linspace(lo, hi, 5))).reshape(-1, 3)
-    return bool(np.abs(p - p[0]).max() < 1e-12)
+    return float(np.ptp(p, axis=0).max())

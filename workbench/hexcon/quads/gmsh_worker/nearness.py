@@ -1,34 +1,55 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far every point is from the CAD face its quads name."""
+"""How far every point is from the CAD face its quads name, and the CAD's corners from its edges."""
 import numpy as np
 
+from .fault import WorkerFault
 
-def distances(solid, mesh):
+GAP = 0.05      # of the size: what CAD edges and corners may be off their faces without bending the mesh
+
+
+def check_corners(solid, size):
+    """Raise WorkerFault OFF_CAD where a corner of the CAD is more than GAP * size off the end of one of its edges.
+
+    The mesh would be bent there, and gmsh crashes on that.
+    """
+    gap = {edge: solid.end_gap(edge) for edge in solid.edges}
+    bad = [edge for edge in solid.edges if not gap[edge] <= GAP * size]
+    if bad:
+        raise WorkerFault("OFF_CAD", f"corners of the CAD are up to {max(gap.values()):.3g} off the ends of their "
+                          "edges, more than 1/20 of the size: "
+                          + ", ".join(f"Edge{e}" for e in bad[:10]))
+
+
+def distances(solid, mesh, size):
     """(off (V,), gap (V,)) float64.
 
-    off  largest distance to the faces of the point's quads. A point that belongs to several faces lies on a CAD
-         edge; where that edge itself is further from a face than the tolerance (a sloppy STEP file), the point
-         is measured against the edge instead,
+    off  largest distance to the faces of the point's quads. Where a CAD edge or corner is itself further from a face
+         than the tolerance (files give it to some digits, and CAD programs allow for more), the points that lie on it
+         are measured against the edge, or the corner, instead, unless they are more than GAP * size off,
     gap  and the distance to the face, which is the CAD's own fault, is given here (0 elsewhere).
+    Cost: a projection for each point on each of its faces; further ones for points off them only.
     """
     points = mesh["points"]
     off, gap = np.zeros(len(points)), np.zeros(len(points))
     for face in solid.faces:
         ids = np.unique(mesh["quads"][mesh["faces"] == face])
         d = np.linalg.norm(solid.project(2, face, points[ids]) - points[ids], axis=1)
-        bad = d > solid.tolerance
-        if bad.any():
-            on_edge = _edge_distance(solid, face, points[ids[bad]])
-            excused = on_edge <= solid.tolerance
-            gap[ids[bad][excused]] = np.maximum(gap[ids[bad][excused]], d[bad][excused])
-            d[np.flatnonzero(bad)[excused]] = on_edge[excused]
+        bad = np.flatnonzero((d > solid.tolerance) & (d <= GAP * size))
+        if len(bad):
+            to_outline = _outline_distance(solid, face, points[ids[bad]])
+            excused = to_outline <= solid.tolerance
+            np.maximum.at(gap, ids[bad][excused], d[bad][excused])
+            d[bad[excused]] = to_outline[excused]
         off[ids] = np.maximum(off[ids], d)
     return off, gap
 
 
-def _edge_distance(solid, face, points):
-    """Distance to the nearest edge of a face."""
+def _outline_distance(solid, face, points):
+    """Distance to the nearest edge of a face, or to the nearest of the corners, which need not lie on the edges."""
     best = np.full(len(points), np.inf)
-    for edge in {abs(e) for e in solid.boundary[face]}:
+    edges = {abs(e) for e in solid.boundary[face]}
+    for edge in edges:
         best = np.minimum(best, np.linalg.norm(solid.project(1, edge, points) - points, axis=1))
+    for corner in {v for e in edges for v in solid.ends[e]}:
+        best = np.minimum(best, np.linalg.norm(solid.vertex[corner] - points, axis=1))
     return best

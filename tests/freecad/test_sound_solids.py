@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Solids that are sound, though their files are not exact to the last digit."""
+import numpy as np
+import pytest
+import sound_solids
+from quads_solids import Part
+
+import hexcon
+from hexcon.errors import FaultCode, ToolError
+from hexcon.quads import surface_from_solid
+
+
+@pytest.mark.parametrize("cone, size", [(Part.makeCone(5, 0, 10), 2.0), (sound_solids.cone_askew(), 20.0)])
+def test_cone_from_a_file(cone, size, tmp_path):
+    surface = surface_from_solid(sound_solids.step_of(cone, tmp_path / "cone.step"), size)
+    assert surface.method == "blocks" and set(surface.face_of_quad) == {1, 2}
+    assert np.abs(surface.points - cone.Vertexes[0].Point).max(axis=1).min() < 1e-9
+
+
+def test_corners_off_their_faces(tmp_path):
+    """Points lie on the CAD's corners, wherever those are: a note says how far off."""
+    path = sound_solids.with_corners_moved(sound_solids.notched_block(), tmp_path / "block.step", 5e-6)
+    mesh = hexcon.mesh_solid(path, 6.0)
+    assert mesh.certificate.certified
+    assert any("edges and corners are up to 5e-06 off" in note for note in mesh.surface.notes)
+
+
+def test_corners_too_far_off(tmp_path):
+    path = sound_solids.with_corners_moved(sound_solids.notched_block(), tmp_path / "block.step", 0.5)
+    with pytest.raises(ToolError, match=r"more than 1/20 of the size: Edge1, ") as caught:
+        surface_from_solid(path, 6.0)
+    assert caught.value.code is FaultCode.OFF_CAD
