@@ -9,6 +9,8 @@
 # make compare method diced beside gmsh's own hexes on fifteen solids; COMPARE_QUADS: sizes of the surfaces
 # make parts   named parts with holes, cavities and notches: meshed, patch-tested and solved in FreeCADCmd
 # make csg     random CSG parts from solid to certificate, from seed CSG_FIRST on; goes on where it was stopped
+# make scoreboard  public quad surfaces filled, beside public hex meshes of them; SCOREBOARD_SURFACES: their folder,
+#              SCOREBOARD_LIMIT: processor seconds for each; writes docs/scoreboard.md; goes on where it was stopped
 # make measured  bench, compare, parts and csg, one after the other (hours), and docs/measured.md from their results
 # make fuzz    libFuzzer on the core's calls, with the sanitizers (clang); FUZZ_SECONDS: how long, FUZZ_RUNS: how often
 # make build   the core alone, in place
@@ -27,7 +29,7 @@ sources = $(shell git ls-files 'hexcon_native/*.[ch]' 'tests/native/*.[ch]' 'exa
             find hexcon_native tests/native examples -name '*.[ch]')
 native = $(wildcard hexcon_native/src/*/*.c hexcon_native/src/*/*/*.c)
 
-.PHONY: run test build bench bench-window compare parts csg measured gallery screenshots setup-run setup-test setup-lint setup-fuzz \
+.PHONY: run test build bench bench-window compare parts csg scoreboard measured gallery screenshots setup-run setup-test setup-lint setup-fuzz \
   lint lint-c lint-python lint-shell sanitized-build native-test hostile-test python-test fuzz clean
 
 run: setup-run build
@@ -130,6 +132,11 @@ parts: setup-run build
 CSG_FIRST ?= 0
 csg: setup-run build
 	@PYTHONPATH=.:workbench $(python) tests/freecad/csg_table.py --first $(CSG_FIRST) --result output/csg.jsonl
+
+SCOREBOARD_SURFACES ?= ../shared/surfaces
+SCOREBOARD_LIMIT ?= 60
+scoreboard: setup-run build
+	@PYTHONPATH=.:workbench $(python) scripts/scoreboard.py $(SCOREBOARD_SURFACES) --limit $(SCOREBOARD_LIMIT) --page
 
 # Each writes its result file first: what is there already of csg is kept (remove the file to measure anew).
 measured: setup-run build

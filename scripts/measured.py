@@ -56,11 +56,26 @@ BLOCKS = {"bench": ("bench.txt", verbatim), "parts": ("parts.txt", verbatim), "c
 """name: result file, and what makes the block's lines of the file's."""
 
 
+def block_date(path):
+    """When a result file was measured, and on how many processors."""
+    day = datetime.date.fromtimestamp(os.path.getmtime(path)).isoformat()
+    return f"{day}, {os.cpu_count()} processors."
+
+
 def block(path, make):
     """Lines of a block, its date first."""
-    day = datetime.date.fromtimestamp(os.path.getmtime(path)).isoformat()
     with open(path, encoding="utf-8") as stream:
-        return [f"{day}, {os.cpu_count()} processors.", "", *make(stream.read().splitlines())]
+        return [block_date(path), "", *make(stream.read().splitlines())]
+
+
+def with_block(text, name, lines, page=PAGE):
+    """The text of a page with other lines in one block."""
+    made = "".join(line + "\n" for line in lines)
+    text, count = re.subn(rf"(<!-- begin {name} -->\n).*?(<!-- end {name} -->)",
+                          lambda found: found[1] + made + found[2], text, flags=re.DOTALL)
+    if count != 1:
+        raise SystemExit(f"{page}: there are {count} blocks {name}, not one")
+    return text
 
 
 def renewed(text, results):
@@ -68,11 +83,7 @@ def renewed(text, results):
     for name, (file, make) in BLOCKS.items():
         path = os.path.join(results, file)
         if os.path.isfile(path) and os.path.getsize(path):
-            lines = "".join(line + "\n" for line in block(path, make))
-            text, count = re.subn(rf"(<!-- begin {name} -->\n).*?(<!-- end {name} -->)",
-                                  lambda found, lines=lines: found[1] + lines + found[2], text, flags=re.DOTALL)
-            if count != 1:
-                raise SystemExit(f"{PAGE}: there are {count} blocks {name}, not one")
+            text = with_block(text, name, block(path, make))
     return text
 
 

@@ -110,13 +110,15 @@ def read_specfem(folder):
     hexes = {int(number): [points[int(node)] for node in nodes] for number, *nodes in rows("mesh_file")}
     materials = [line.split() for line in (pathlib.Path(folder) / "materials_file").read_text().splitlines()]
     assert materials == [[str(k), "1"] for k in range(1, len(hexes) + 1)]
-    domain, number, density, fast, slow, *rest = (pathlib.Path(folder) / "nummaterial_velocity_file").read_text().split()
+    material = (pathlib.Path(folder) / "nummaterial_velocity_file").read_text(encoding="ascii")
+    domain, number, density, fast, slow, *rest = material.split()
     assert (domain, number, rest) == ("2", "1", ["9999", "9999", "0"]) and float(density) > 0
     assert float(fast) > float(slow) > 0
     found = {}
     for name in os.listdir(folder):
         if "surface_file" in name:
-            found[name] = [(hexes[int(element)], [points[int(node)] for node in nodes]) for element, *nodes in rows(name)]
+            found[name] = [(hexes[int(element)], [points[int(node)] for node in nodes])
+                           for element, *nodes in rows(name)]
     return SimpleNamespace(hexes=np.array([hexes[k] for k in sorted(hexes)]), surfaces=found)
 
 
@@ -228,7 +230,8 @@ def test_specfem_of_order_2_has_27_nodes(tmp_path, curved):
 
 def check_surfaces(read, mesh):
     sides = {"absorbing_surface_file_xmin": 1, "absorbing_surface_file_xmax": 2, "absorbing_surface_file_ymin": 3,
-             "absorbing_surface_file_ymax": 0, "absorbing_surface_file_bottom": 5, "free_or_absorbing_surface_file_zmax": 6}
+             "absorbing_surface_file_ymax": 0, "absorbing_surface_file_bottom": 5,
+             "free_or_absorbing_surface_file_zmax": 6}
     groups = {"Boundary_surface_file": 0, **{f"Face{k}_surface_file": k for k in (1, 2, 3, 5, 6)}}
     assert set(read.surfaces) == {*sides, *groups}
     for name, number in (*sides.items(), *groups.items()):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """.exo: Exodus II, which MOOSE, libMesh, Sierra, Nek5000's exo2nek and ParaView read; through SciPy's netCDF.
 
-Names of dimensions, variables and attributes are those of the Exodus II manual (Schoof and Yarberry, SAND92-2137) and of
-the SEACAS library: one block of HEX8 or HEX20, one side set for each group of boundary faces.
+Names of dimensions, variables and attributes are those of the Exodus II manual (Schoof and Yarberry, SAND92-2137) and
+of the SEACAS library: one block of HEX8 or HEX20, one side set for each group of boundary faces.
 """
 import io
 

@@ -20,8 +20,8 @@ RECORD = np.dtype([("element", "<f8"), ("place", "<f8"), ("values", "<f8", 5), (
 def write(path, elements):
     """Corners, the middles of edges that are curved (kind m), and for every boundary face the number of its group.
 
-    Groups are numbered as CAD faces are, faces on none get the next number: Elements.group_of_quad. Kind EXO says that the
-    number stands for the boundary condition, which the solver's .par gives to it."""
+    Groups are numbered as CAD faces are, faces on none get the next number: Elements.group_of_quad. Kind EXO says that
+    the number stands for the boundary condition, which the solver's .par gives to it."""
     with open(path, "wb") as stream:
         stream.write(f"#v003{len(elements.hexes):9d}{3:3d}{len(elements.hexes):9d} by HexCon".ljust(80).encode("ascii"))
         stream.write(np.array([BYTE_ORDER], "<f4").tobytes())

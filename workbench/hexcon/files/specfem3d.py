@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-""".specfem3d: a folder of the text files that SPECFEM3D Cartesian's xdecompose_mesh reads (src/decompose_mesh/read_mesh_files.F90).
+""".specfem3d: a folder of the text files that SPECFEM3D Cartesian's xdecompose_mesh reads.
 
-Hexes have 8 nodes or 27 (NGNOD in its Par_file), never 20: at order 2 the middles of faces and hexes are added, where
-the 20 nodes put them. Corners, and the 27, are in VTK's order but for the edges of the top, which follow the upright ones.
+The formats are what its src/decompose_mesh/read_mesh_files.F90 reads. Hexes have 8 nodes or 27 (NGNOD in its Par_file),
+never 20: at order 2 the middles of faces and hexes are added, where the 20 nodes put them. The order is VTK's but for
+the edges of the top, which follow the upright ones.
 """
 import os
 import re
@@ -26,7 +27,7 @@ NODES = {1: np.arange(8), 2: np.r_[0:12, 16:20, 12:16, 20:27]}
 
 def is_own(name):
     """Whether write makes files of that name."""
-    return name in (*_OTHERS, FREE, *ABSORBING.values()) or re.fullmatch(r"(Face\d+|Boundary)_surface_file", name) is not None
+    return name in (*_OTHERS, FREE, *ABSORBING.values()) or bool(re.fullmatch(r"(Face\d+|Boundary)_surface_file", name))
 
 
 def write(folder, elements):
