@@ -1,0 +1,305 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CAD curves -> paths of the skin's edges that meet nowhere but in corners, by negotiation.
+
+Every curve takes the cheapest path as if it were alone, at first at hardly any cost for places others use; then those
+in conflict are ripped up and routed again, round after round, while sharing becomes dearer and places that were fought over keep
+a price: McMurchie & Ebeling, PathFinder (FPGA 1995). A path follows its curve by arc length: an edge may not jump
+from one arm of a bend to the other, and a closed curve is a path in the twofold cover, from a vertex to itself one turn on.
+"""
+import math
+
+import numpy as np
+from scipy.sparse import csr_matrix
+from scipy.sparse.csgraph import dijkstra
+from scipy.spatial import cKDTree
+
+from .captured import NotCaptured
+from .corner_places import embedded
+
+REACH = 2.5             # of the local edge length: vertices farther from a curve are none of its business
+STRAY = 1.6             # a path that goes farther from its curve is none
+ROUNDS = 40
+FIRST_PRICE, DEARER, KEPT = 0.3, 1.35, 0.4     # of sharing: at first, by round; what a fought-over place keeps
+TURN = math.radians(45)     # by which a curve turns for each of its edges, at most
+DENSE = 8               # samples of a curve for each edge length
+
+
+class Band:
+    """What of the skin a curve may use, as a graph with costs."""
+
+    def __init__(self, model, skin, guess, c):
+        self.curve = curve = model.curves[c]
+        self.skin = skin
+        self.vertices, self.s, self.gap = self._near()
+        self.corners = [k for k in (curve.start, curve.end) if k >= 0]
+        self.loop = curve.start == curve.end
+        place = np.full(len(skin.points), -1)
+        place[self.vertices] = np.arange(len(self.vertices))
+        tail, head = skin.half_edges.tail, skin.half_edges.head
+        h = np.flatnonzero((place[tail] >= 0) & (place[head] >= 0))
+        self.h, self.tail, self.head = h, place[tail[h]], place[head[h]]
+        self.row_of = place
+        self.step = self._along(self.tail, self.head)
+        keep = np.abs(self.step) <= np.maximum(3.0 * skin.length[h], 0.3 * skin.scale[tail[h]])
+        self.h, self.tail, self.head, self.step = (x[keep] for x in (self.h, self.tail, self.head, self.step))
+        self.base = self._costs(guess)
+
+    def _near(self):
+        """(vertices, arc length of the nearest point of the curve, distance in local edge lengths)."""
+        skin, curve = self.skin, self.curve
+        coarse = curve.sampled(np.linspace(0, curve.length, 64))
+        scale = skin.scale[skin.tree.query(coarse)[1]].max()
+        step = min(curve.length / 8, scale)
+        s = np.linspace(0, curve.length, min(20000, int(math.ceil(curve.length / step)) + 1))
+        some = skin.tree.query_ball_point(curve.sampled(s), (REACH + 0.6) * scale)
+        rows = np.unique(np.concatenate([np.asarray(r, int) for r in some]))
+        if not len(rows):
+            return rows, np.zeros(0), np.zeros(0)
+        count = int(np.clip(DENSE * curve.length / skin.scale[rows].min(), 32, 20000))
+        s = np.linspace(0, curve.length, count, endpoint=not curve.closed)
+        gap, at = cKDTree(curve.sampled(s)).query(skin.points[rows])
+        gap = gap / skin.scale[rows]
+        near = gap < REACH
+        return rows[near], s[at[near]], gap[near]
+
+    def _along(self, tail, head):
+        """How far an edge goes along the curve; round a closed one the short way."""
+        step = self.s[head] - self.s[tail]
+        if self.loop:
+            step -= self.curve.length * np.round(step / self.curve.length)
+        return step
+
+    def _costs(self, guess):
+        skin, curve = self.skin, self.curve
+        left, right = guess[self.h // 4], guess[skin.half_edges.twin[self.h] // 4]
+        one = (left == curve.left) | (left == curve.right) | (right == curve.left) | (right == curve.right)
+        both = (left == curve.right) & (right == curve.left)
+        factor = np.where(one, 1.0, 2.0)
+        factor[both] = 0.8
+        factor[(left == curve.left) & (right == curve.right)] = 0.45
+        d = 0.5 * (self.gap[self.tail] + self.gap[self.head])
+        length = skin.length[self.h] / (0.5 * (skin.scale[skin.half_edges.tail[self.h]] +
+                                               skin.scale[skin.half_edges.head[self.h]]))
+        turn = self._turning(self.tail, self.head) / (1.2 * TURN)
+        back = np.where(self.step < 0, 2.0, 1.0)
+        return np.maximum(length, 0.3) * factor * (1 + 6 * d * d) * (1 + np.minimum(turn, 4) ** 4) * back
+
+    def _turning(self, tail, head):
+        """By how much the curve turns over an edge, in radians."""
+        s = np.linspace(0, self.curve.length, 129)
+        d = np.diff(self.curve.sampled(s), axis=0)
+        d /= np.maximum(np.linalg.norm(d, axis=1), 1e-300)[:, None]
+        angle = np.cumsum(np.concatenate([[0], np.arccos(np.clip((d[1:] * d[:-1]).sum(1), -1, 1)), [0]]))
+        self.turning = angle[-1]
+        if self.loop:
+            self.turning += math.acos(np.clip(d[0] @ d[-1], -1, 1)) if self.curve.closed else 0.0
+        at = np.interp(self.s, s, angle)
+        turn = np.abs(at[head] - at[tail])
+        if self.loop:
+            turn = np.minimum(turn, np.abs(self.turning - turn))
+        return turn
+
+    def least_edges(self):
+        """How many edges the curve should have at least."""
+        by_turning = int(math.ceil(self.turning / TURN - 0.05))
+        return max(by_turning, 4 if self.curve.closed else 3 if self.loop else 1)
+
+
+class Routes:
+    """Negotiates the paths of all curves between placed corners."""
+
+    def __init__(self, model, skin, guess, bands, places, vertex):
+        self.model, self.skin, self.bands, self.vertex = model, skin, bands, vertex
+        n = len(skin.points)
+        self.used = np.zeros(n, int)            # by how many curves, corners not counted
+        self.price = np.zeros(n)
+        self.corner = np.full(n, -1)
+        self.corner[vertex] = np.arange(len(vertex))
+        self.edge_used = np.zeros(len(skin.rows) * 2, int)
+        self.edge_price = np.zeros(len(skin.rows) * 2)
+        self.ports = self._ports(places)        # (curve, sign) -> half-edge it should leave its corner by
+        self.port_price = {}                    # (curve, sign) -> price of another
+        self.paths = {}
+        self.base = [band.base for band in bands]
+        self.tried = np.zeros(len(bands), int)  # how often more edges were asked of a curve
+
+    def _ports(self, places):
+        out = {}
+        for k, ends in enumerate(places.ends):
+            v = int(self.vertex[k])
+            h = np.array(self.skin.outgoing(v))
+            forbidden = np.zeros((len(ends.ends), len(h)), bool)
+            there = self.corner[self.skin.half_edges.head[h]]
+            for row, (c, sign) in enumerate(ends.ends):
+                other = self.model.curves[c].end if sign > 0 else self.model.curves[c].start
+                forbidden[row] = (there >= 0) & ((there != other) | (other == k))
+            directions = ends.directions(0.7 * self.skin.scale[v])
+            cost, found = embedded(ends, directions, places.port_directions(v), forbidden)
+            if not np.isfinite(cost):
+                raise NotCaptured("corner", f"corner {k} has not {len(ends.ends)} free edges, in the order of its curves",
+                                  self.model.corners[k], corners=[k], curves=[c for c, _ in ends.ends])
+            out |= {end: int(h[port]) for end, port in zip(ends.ends, found)}
+        return out
+
+    def negotiated(self):
+        """curve -> vertices of its path, from its start; first is last for a closed one. Raises NotCaptured."""
+        todo = sorted(range(len(self.bands)), key=lambda c: (self.model.curves[c].length, c))
+        price = FIRST_PRICE
+        for _ in range(ROUNDS):
+            for c in todo:
+                self._take_up(c)
+                self._lay(c, self._route(c, price))
+            wrong = self._conflicts() | self._disorder() | self._too_few()
+            if not wrong:
+                return self.paths
+            todo = [c for c in sorted(wrong, key=lambda c: (self.model.curves[c].length, c))]
+            price *= DEARER
+        crossed = np.flatnonzero((self.used > 1) | ((self.used > 0) & (self.corner >= 0)))
+        place = self.skin.points[crossed[0]] if len(crossed) else self.model.curves[todo[0]].samples[0]
+        raise NotCaptured("curve", "no paths that do not meet for curves " + ", ".join(map(str, todo[:6])) +
+                          ": smaller elements are needed between them", place, curves=todo)
+
+    def _lay(self, c, path, sign=1):
+        self.paths[c] = path
+        inner = path[:-1] if self.bands[c].curve.closed else path[1:-1]
+        np.add.at(self.used, inner, sign)
+        h = self.skin.half_edges.find(path[:-1], path[1:])
+        np.add.at(self.edge_used, self.skin.edge_of[h], sign)
+
+    def _take_up(self, c):
+        if c in self.paths:
+            self._lay(c, self.paths[c], -1)
+            del self.paths[c]
+
+    def _conflicts(self):
+        """Curves that share a vertex or an edge; these keep a price."""
+        bad, bad_edge = self.used > 1, self.edge_used > 1
+        self.price[bad] += KEPT
+        self.edge_price[bad_edge] += KEPT
+        wrong = set()
+        for c, path in self.paths.items():
+            edges = self.skin.edge_of[self.skin.half_edges.find(path[:-1], path[1:])]
+            if bad[path].any() or bad_edge[edges].any():
+                wrong.add(c)
+        return wrong
+
+    def _disorder(self):
+        """Curves round corners that leave in an order that the patches between them do not allow."""
+        leaves = {}
+        for c, path in self.paths.items():
+            curve = self.model.curves[c]
+            if curve.closed:
+                continue
+            first, last = self.skin.half_edges.find([path[0], path[-1]], [path[1], path[-2]])
+            leaves[int(first)] = (c, 1)
+            leaves[int(last)] = (c, -1)
+        wrong = set()
+        for v in self.vertex.tolist():
+            ends = [leaves[h] for h in self.skin.outgoing(v) if h in leaves]
+            for (c, sign), (d, other) in zip(ends, ends[1:] + ends[:1]):
+                left = (self.model.curves[c].left, self.model.curves[c].right)[::sign][0]
+                right = (self.model.curves[d].left, self.model.curves[d].right)[::other][1]
+                if left != right:
+                    wrong |= {e[0] for e in ends}
+                    for e in ends:
+                        self.port_price[e] = self.port_price.get(e, 0.0) + 1.0
+                    break
+        return wrong
+
+    def _too_few(self):
+        """Curves with fewer edges than their turning wants: the edges they have become dearer, for a few rounds."""
+        wrong = set()
+        for c, path in self.paths.items():
+            band = self.bands[c]
+            if len(path) - 1 >= band.least_edges() or self.tried[c] >= 3:
+                continue
+            self.tried[c] += 1
+            edges = self.skin.edge_of[self.skin.half_edges.find(path[:-1], path[1:])]
+            self.base[c] = self.base[c] * np.where(np.isin(self.skin.edge_of[band.h], edges), 2.5, 1.0)
+            wrong.add(c)
+        return wrong
+
+    def _route(self, c, price):
+        band = self.bands[c]
+        cost = self.base[c] * (1 + price * (self.used[band.vertices[band.head]] + self.edge_used[self.skin.edge_of[band.h]]))
+        cost = cost + self.price[band.vertices[band.head]] + self.edge_price[self.skin.edge_of[band.h]]
+        mine = self.vertex[band.corners]
+        foreign = (self.corner[band.vertices] >= 0) & ~np.isin(band.vertices, mine)
+        cost[foreign[band.head] | foreign[band.tail]] = np.inf
+        for sign in (1, -1):
+            if (c, sign) in self.ports:
+                h = self.ports[c, sign]
+                v = self.skin.half_edges.tail[h]
+                at = band.vertices[band.tail if sign > 0 else band.head] == v
+                same = band.h == (h if sign > 0 else self.skin.half_edges.twin[h])
+                cost[at & ~same] += 0.3 + self.port_price.get((c, sign), 0.0)
+        path = self._loop(band, cost, price) if band.loop else self._between(band, cost)
+        if path is None:
+            raise NotCaptured("curve", f"curve {c} of {band.curve.length:.3g} finds no path: smaller elements are needed there",
+                              band.curve.sampled(np.array([band.curve.length / 2]))[0], curves=[c])
+        return path
+
+    def _between(self, band, cost):
+        start, goal = (int(band.row_of[self.vertex[k]]) for k in band.corners)
+        if min(start, goal) < 0:
+            return None
+        cost[(band.head == start) | (band.tail == goal)] = np.inf
+        path = _shortest(len(band.vertices), band.tail, band.head, cost, start, goal)
+        return None if path is None else band.vertices[path]
+
+    def _loop(self, band, cost, price):
+        """Once round: in two copies of the band, from a vertex in the first to itself in the second."""
+        n = len(band.vertices)
+        if n < 3:
+            return None
+        wrap = band.s[band.head] - band.s[band.tail]
+        ahead, behind = wrap < -band.curve.length / 2, wrap > band.curve.length / 2
+        if band.corners:
+            starts = [int(band.row_of[self.vertex[band.corners[0]]])]
+            if starts[0] < 0:
+                return None
+        else:
+            starts = self._starts(band, price)
+        level = ~ahead & ~behind
+        tail = np.concatenate([band.tail[level], band.tail[level] + n, band.tail[ahead], band.tail[behind] + n])
+        head = np.concatenate([band.head[level], band.head[level] + n, band.head[ahead] + n, band.head[behind]])
+        costs = np.concatenate([cost[level], cost[level], cost[ahead], cost[behind]])
+        best, found = np.inf, None
+        for start in starts:
+            path = _shortest(2 * n, tail, head, costs, start, start + n)
+            if path is None or len(set((path % n).tolist())) != len(path) - 1 or len(path) < 4:
+                continue
+            value = _path_cost(tail, head, costs, path, 2 * n)
+            if value < best:
+                best, found = value, path % n
+        return None if found is None else band.vertices[found]
+
+    def _starts(self, band, price):
+        """A good vertex in each quarter of the curve."""
+        v = band.vertices
+        worth = band.gap + price * self.used[v] + self.price[v] + np.where(self.corner[v] >= 0, 1e6, 0.0)
+        quarter = np.minimum((4 * band.s / band.curve.length).astype(int), 3)
+        return [int(rows[np.lexsort((v[rows], worth[rows]))[0]]) for q in range(4)
+                if len(rows := np.flatnonzero(quarter == q))]
+
+
+def _shortest(n, tail, head, cost, start, goal):
+    """Node ids of the cheapest path, or None."""
+    usable = np.isfinite(cost)
+    tail, head, cost = tail[usable], head[usable], cost[usable]
+    order = np.lexsort((head, tail))
+    first = np.concatenate([[0], np.cumsum(np.bincount(tail, minlength=n))])
+    graph = csr_matrix((cost[order], head[order], first), shape=(n, n))
+    far, before = dijkstra(graph, indices=start, return_predecessors=True)
+    if not np.isfinite(far[goal]):
+        return None
+    path = [goal]
+    while path[-1] != start:
+        path.append(int(before[path[-1]]))
+    return np.array(path[::-1])
+
+
+def _path_cost(tail, head, cost, path, n):
+    keys = tail.astype(np.int64) * n + head
+    order = np.argsort(keys)
+    return float(cost[order[np.searchsorted(keys[order], path[:-1].astype(np.int64) * n + path[1:])]].sum())

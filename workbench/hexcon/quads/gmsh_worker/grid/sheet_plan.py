@@ -1,0 +1,270 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which sheets a captured mesh needs, so that no corner of a hex is forced flat.
+
+A sheet lies under patches. Where these meet others at a convex curve it comes out on the other side, as a strip. Over a flat curve it
+goes on under the other patch, so patches joined by flat curves are a *group*. At a concave curve it goes on inside: behind the hexes under
+the other patch, so that three hexes stay about the curve; where those hexes are in the way, it takes the other patch in.
+
+Needed is a sheet under a group
+ - where an edge inside a patch, or on a flat curve, has not two hexes, or one on a concave curve has one;
+ - where a quad across a convex curve has a flat corner, for want of a strip; and round a patch where such a quad
+   is at a flat or concave curve: a ring, or where a ring would meet itself, a tape along the curve.
+"""
+from collections import Counter
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .sheets import Pinched, along_curve, insert, round_patch
+
+CONVEX, CONCAVE = 140.0, 220.0      # interior dihedral angles in degrees
+FLAT_CORNER = 150.0                 # a quad's corner between two curves, in degrees
+PASSES = 5                          # of sheets under groups
+RINGS = 3                           # passes of rings
+
+
+class Groups:
+    """kind (of each curve: "convex", "flat", "concave"), of_patch (group of each patch), corner angles."""
+
+    def __init__(self, model, convex=CONVEX, inside=True):
+        self.model = model
+        self.kind = ["convex" if c.angle < convex else "concave" if c.angle > CONCAVE else "flat" for c in model.curves]
+        parent = list(range(len(model.patches)))
+
+        def root(a):
+            while parent[a] != a:
+                a = parent[a]
+            return a
+        for c, kind in zip(model.curves, self.kind):
+            if kind == "flat" or (kind == "concave" and not inside):
+                parent[max(root(c.left), root(c.right))] = min(root(c.left), root(c.right))
+        self.of_patch = np.array([root(k) for k in range(len(parent))], int)
+        self._angles = {}
+
+    def patches(self, group):
+        return frozenset(np.flatnonzero(self.of_patch == group).tolist())
+
+    def across(self, c, p):
+        """The patch on the other side of curve c than p."""
+        curve = self.model.curves[c]
+        return curve.right if curve.left == p else curve.left
+
+    def corner_angle(self, k, p):
+        """Angle of patch p at corner k, in degrees; of several sectors the mean."""
+        if (k, p) not in self._angles:
+            model = self.model
+            rows = np.flatnonzero((model.triangles == model.corner_vertex[k]).any(axis=1))
+            rows = rows[np.asarray(model.patch_of_face)[model.triangle_face[rows]] == p]
+            tri = model.triangles[rows]
+            at = (tri == model.corner_vertex[k]).argmax(axis=1)
+            a, b, c = (model.points[tri[np.arange(len(tri)), (at + j) % 3]] for j in range(3))
+            d, e = b - a, c - a
+            cosine = (d * e).sum(axis=1) / np.maximum(np.linalg.norm(d, axis=1) * np.linalg.norm(e, axis=1), 1e-300)
+            sectors = sum((c.start == k and c.left == p) + (c.end == k and c.right == p) for c in model.curves)
+            self._angles[k, p] = float(np.degrees(np.arccos(np.clip(cosine, -1, 1))).sum() / max(sectors, 1))
+        return self._angles[k, p]
+
+
+@dataclass
+class Demands:
+    """groups: that need a sheet; across {(curve, patch whose quads have flat corners, or None)}; rings: patches; why."""
+
+    groups: set = field(default_factory=set)
+    across: set = field(default_factory=set)
+    rings: set = field(default_factory=set)
+    why: Counter = field(default_factory=Counter)
+
+
+def demands(mesh, groups):
+    """What of a CapturedMesh wants a sheet. O(H log H)."""
+    found = Demands()
+    _ask_edges(mesh, groups, found)
+    _ask_corners(mesh, groups, found)
+    return found
+
+
+def _ask_edges(mesh, groups, found):
+    h = np.flatnonzero(mesh.half_edges.tail < mesh.half_edges.head)
+    count, c, group = mesh.hexes_at_half_edge[h], mesh.curve_of_half_edge[h], groups.of_patch[mesh.patch[h // 4]]
+    kind = np.array(["", "convex", "flat", "concave"])
+    name = np.array(["convex", "flat", "concave"])
+    code = np.zeros(len(groups.kind) + 1, int)                # the last for no curve
+    code[:-1] = [1 + int(np.flatnonzero(name == k)[0]) for k in groups.kind]
+    kind = code[c]
+
+    def under(rows, why):
+        found.groups |= set(np.unique(group[rows]).tolist())
+        found.why[why] += int(rows.sum())
+    for rows, why in (((kind == 0) & (count == 1), "two quads of a hex on one patch"),
+                      ((kind == 0) & (count > 2), "more than two hexes at an edge inside a patch"),
+                      ((kind == 2) & (count != 2), "not two hexes at a flat curve")):
+        if rows.any():
+            under(rows, why)
+    rows = (kind == 3) & (count == 1)
+    if rows.any():
+        under(rows, "one hex at a concave curve")
+    rows = (kind == 1) & (count != 1)
+    if rows.any():
+        found.across |= {(k, None) for k in np.unique(c[rows]).tolist()}
+        found.why["more than one hex at a convex curve"] += int(rows.sum())
+
+
+def _ask_corners(mesh, groups, found):
+    h = np.arange(4 * len(mesh.quads))
+    before = np.where(h % 4, h - 1, h + 3)
+    c1, c2 = mesh.curve_of_half_edge[before], mesh.curve_of_half_edge[h]
+    for at in np.flatnonzero((c1 >= 0) & (c2 >= 0)).tolist():
+        p, k = int(mesh.patch[at // 4]), int(mesh.corner_of_vertex[mesh.half_edges.tail[at]])
+        if (c1[at] != c2[at] and k < 0) or (k >= 0 and groups.corner_angle(k, p) < FLAT_CORNER):
+            continue
+        found.why["a quad with a flat corner on a curve"] += 1
+        for c in {int(c1[at]), int(c2[at])}:
+            if groups.kind[c] == "convex" and groups.of_patch[groups.across(c, p)] != groups.of_patch[p]:
+                found.across.add((c, p))
+            else:
+                found.rings.add(p)
+
+
+def sheeted(mesh, model, convex=CONVEX, inside=True, log=None):
+    """(CapturedMesh with the sheets it needs, Counter of sheets by kind). Raises Pinched where none of them goes in.
+
+    inside: sheets go on inside at concave curves; else they take in the patch beyond, as at flat ones
+    """
+    plan = _Plan(mesh, model, Groups(model, convex, inside), log)
+    for _ in range(PASSES):
+        if not plan.put_groups():
+            break
+    for _ in range(RINGS):
+        if not plan.put_rings():
+            break
+    return plan.mesh, plan.count
+
+
+class _Plan:
+    def __init__(self, mesh, model, groups, log):
+        self.mesh, self.model, self.groups, self.log = mesh, model, groups, log or (lambda text: None)
+        self.count, self.done, self.ringed = Counter(), set(), set()
+
+    def put_groups(self):
+        """Whether any sheet went under a group that had none."""
+        wanted = demands(self.mesh, self.groups)
+        need = set(wanted.groups)
+        for c, p in sorted(wanted.across, key=lambda one: (one[0], -1 if one[1] is None else one[1])):
+            sides = [int(self.groups.of_patch[x]) for x in (self.model.curves[c].left, self.model.curves[c].right)]
+            if p is not None:
+                need.add(int(self.groups.of_patch[self.groups.across(c, p)]))
+            elif not set(sides) & (need | self.done):
+                need.add(min(sides, key=lambda g: (sum(self.model.patches[k].area for k in self.groups.patches(g)), g)))
+        need -= self.done
+        self.log(f"demands {dict(wanted.why)}, groups {sorted(need)}")
+        for patches in self._apart([self._fitting(self.groups.patches(g)) for g in sorted(need)]):
+            self._put_under(patches)
+        return bool(need)
+
+    def _apart(self, sets):
+        """Sets of patches, those joined that overlap."""
+        out = []
+        for one in sets:
+            while True:
+                met = [other for other in out if other & one]
+                if not met:
+                    break
+                out = [other for other in out if not other & one]
+                one = self._fitting(one.union(*met))
+            out.append(one)
+        return out
+
+    def _put_under(self, patches):
+        """A sheet under patches, and those that have to be taken in with them."""
+        while True:
+            patches = self._fitting(patches)
+            behind = self._behind(patches)
+            in_the_way = self._in_the_way(patches, behind)
+            if in_the_way:
+                patches = patches | self._whole(in_the_way)
+                continue
+            try:
+                self.mesh = self._sheet(patches, behind)
+                break
+            except Pinched as fault:
+                self.log(f"under {sorted(patches)}, behind {sorted(behind)}: {fault}")
+                if not behind:
+                    raise
+                patches = patches | self._whole(behind)
+        self.count["groups"] += 1
+        self.count["behind"] += bool(behind)
+        self.done |= {int(g) for g in self.groups.of_patch[list(patches)]}
+
+    def _whole(self, patches):
+        return frozenset().union(*(self.groups.patches(int(self.groups.of_patch[p])) for p in patches))
+
+    def _behind(self, patches):
+        """Patches across a concave curve from these."""
+        found = set()
+        for c, kind in zip(self.model.curves, self.groups.kind):
+            if kind == "concave" and (c.left in patches) != (c.right in patches):
+                found.add(c.right if c.left in patches else c.left)
+        return frozenset(found)
+
+    def _in_the_way(self, patches, behind):
+        """Of the patches behind, those with a hex that the sheet's patches have too."""
+        mine = np.zeros(len(self.mesh.hexes), bool)
+        mine[self.mesh.under[np.isin(self.mesh.patch, list(patches))]] = True
+        return {p for p in behind if mine[self.mesh.under[self.mesh.patch == p]].any()}
+
+    def _sheet(self, patches, behind):
+        pulled = np.ones(len(self.mesh.hexes), bool)
+        pulled[self.mesh.under[np.isin(self.mesh.patch, list(behind))]] = False
+        return insert(self.mesh, pulled, np.isin(self.mesh.patch, list(patches)))
+
+    def _fitting(self, patches):
+        """Patches with those that must be taken in: at a corner they must be one fan, with those behind, and leave at
+        most one curve uncovered, or two curves would be squeezed into one. Over the flattest curve."""
+        while True:
+            covered = patches | self._behind(patches)
+            k = next((k for k in range(len(self.model.corners)) if not self._fits(covered, k)), None)
+            if k is None:
+                return patches
+            ends = [c for c in self.model.curves if k in (c.start, c.end) and (c.left in patches) != (c.right in patches)]
+            if not ends:
+                return patches
+            c = min(ends, key=lambda c: abs(c.angle - 180.0))
+            patches = patches | self._whole({c.left, c.right})
+
+    def _fits(self, patches, k):
+        inside = [(c.left in patches) + (c.right in patches) for c in self.model.curves
+                  for at in (c.start, c.end) if at == k]
+        return not any(inside) or (inside.count(1) in (0, 2) and inside.count(0) <= 1)
+
+    def put_rings(self):
+        """Whether a ring or tape went round a patch that had none."""
+        wanted = demands(self.mesh, self.groups)
+        todo = (wanted.rings | {p for _, p in wanted.across if p is not None}) - self.ringed
+        for p in sorted(todo):
+            if int(self.groups.of_patch[p]) not in self.done:
+                self._put_under(self.groups.patches(int(self.groups.of_patch[p])))
+            try:
+                self.mesh = round_patch(self.mesh, p)
+                self.count["rings"] += 1
+            except Pinched as fault:
+                self.log(f"ring round patch {p}: {fault}")
+                self._put_tapes(p)
+            self.ringed.add(p)
+        return bool(todo)
+
+    def _put_tapes(self, p):
+        """A sheet along each curve of a patch that has a quad with two edges on it."""
+        for c, curve in enumerate(self.model.curves):
+            if p not in (curve.left, curve.right):
+                continue
+            for turn in (1, -1):
+                chain = self.mesh.chain(self.model, c)[::turn]
+                quads = self.mesh.half_edges.find(chain[:-1], chain[1:]) // 4
+                if len(np.unique(quads)) == len(quads) or (self.mesh.patch[quads] != p).any():
+                    continue
+                try:
+                    self.mesh = along_curve(self.mesh, chain)
+                    self.count["tapes"] += 1
+                except Pinched as fault:
+                    self.count["pinched"] += 1
+                    self.log(f"tape along curve {c}: {fault}")
