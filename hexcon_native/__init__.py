@@ -24,7 +24,9 @@ except ImportError as fault:
         f"({fault}). Build it with `make build` in HexCon's folder."
     ) from fault
 
-from .tables import (  # after the guard: it reads the core
+from .carriers import Carrier, packed  # after the guard: it reads the core
+from .tables import (
+    CARRIERS,
     GIVEN,
     HEX_STAGES,
     METHOD_CHOICES,
@@ -43,10 +45,10 @@ from .tables import (  # after the guard: it reads the core
 __version__ = _core.version()
 
 __all__ = [
-    "Certificate", "ErrorCode", "HEX_STAGES", "HexconError", "Loops", "METHODS", "METHOD_CHOICES", "METHOD_TABLE", "Mesh", "Method",
+    "CARRIERS", "Carrier", "Certificate", "ErrorCode", "HEX_STAGES", "HexconError", "Loops", "METHODS", "METHOD_CHOICES", "METHOD_TABLE", "Mesh", "Method",
     "MethodTry", "PAIRINGS", "Quality", "STAGES", "SurfaceReport", "TOPOLOGICAL_METHODS", "certify", "check_options",
-    "check_surface", "colouring", "loops", "mesh", "methods_that", "morph", "optimize", "orient", "pairing", "quality",
-    "raise_order",
+    "check_surface", "colouring", "loops", "mesh", "methods_that", "morph", "optimize", "orient", "pairing", "project_points",
+    "quality", "raise_order", "relax",
 ]
 
 
@@ -764,6 +766,82 @@ def morph(points, hexes, goal, fixed=None, *, target=1.0, progress=None):
     with _best_when_cancelled(points):
         reached = _core.morph(points, hexes, mask, goal, boundary_only, _target(target), _progress(progress))
     return points, reached
+
+
+class _Projector:
+    """Places on curves and surfaces for the core: buffers in, bytes out."""
+
+    def __init__(self, project):
+        self.project = project
+
+    def __call__(self, points, tags):
+        rows = len(tags) // np.dtype(np.int32).itemsize
+        answer = self.project(_array(points, np.float64, 3), _array(tags, np.int32))
+        if not isinstance(answer, (tuple, list)) or len(answer) != 2:
+            raise _bad_option("what project returns", answer, "(places, directions)")
+        places, directions = (_points(one) for one in answer)
+        if len(places) != rows or len(directions) != rows:
+            raise HexconError(f"project answers with {len(places)} places and {len(directions)} directions for "
+                              f"{rows} points", ErrorCode.WRONG_SHAPE)
+        return places.tobytes(), directions.tobytes()
+
+
+def _sliding(carrier_of_point, carriers, project, point_count):
+    """What points slide on, for the core."""
+    numbers = _plain(carrier_of_point, "carrier_of_point")
+    if numbers.shape != (point_count,):
+        raise HexconError(f"carrier_of_point must have shape ({point_count},), not {numbers.shape}",
+                          ErrorCode.WRONG_SHAPE)
+    if numbers.dtype.kind not in "iu" and numbers.size:
+        raise HexconError(f"carrier_of_point must be integers, not {numbers.dtype}", ErrorCode.WRONG_TYPE)
+    wide = (numbers < -2) | (numbers > _MOST)
+    if wide.any():
+        raise HexconError(f"{int(wide.sum())} points (listed) name carriers that do not exist",
+                          ErrorCode.INDEX_OUT_OF_RANGE, np.flatnonzero(wide)[:1000])
+    if project is not None and not callable(project):
+        raise _bad_option("project", project, "a callable (points, tags) or None")
+    return (np.ascontiguousarray(numbers, np.int32), *packed(carriers),
+            None if project is None else _Projector(project))
+
+
+@_named_memory
+def project_points(points, carrier_of_point, carriers, *, project=None):
+    """Put points on what they lie on: the nearest place on the nearest piece of their carrier.
+
+    As relax; returns points (P, 3), and (P, 3) unit tangents of curves and normals of surfaces, 0 of points that lie
+    on neither. Linear.
+    """
+    points = _points(points)
+    placed, directions = _core.project_points(points, *_sliding(carrier_of_point, carriers, project, len(points)))
+    return _array(placed, np.float64, 3), _array(directions, np.float64, 3)
+
+
+@_named_memory
+def relax(points, hexes, carrier_of_point, carriers, *, project=None, rounds=0, threads=0, budget=0.0, progress=None):
+    """Untangle and smooth a hex mesh of order 1 and its boundary together: points slide on what they lie on.
+
+    points, hexes     as quality; hexes may have no volume at the start
+    carrier_of_point  (P,) int: a row of carriers; -1: the point moves freely, -2: it stays
+    carriers          what points slide on: each a Carrier, or a list of them, all curves or all surfaces, of which
+                      the nearest counts, as the faces of a smooth patch
+    project           callable (points (n, 3), tags (n,) int32) -> (places (n, 3), directions (n, 3)): the nearest
+                      places on the carriers of kind "curve" and "surface" with these tags, and a tangent or normal
+                      there, of any length but 0; called for many points at once, some 50 times
+    rounds            of untangling and evening (0: 16)
+    threads           0: one per processor; the result does not depend on it
+    budget            seconds, after which the best so far is returned; 0: no limit
+    Returns (P, 3) float64, on the carriers as near as rounding allows, and never worse than the start put on them:
+    fewer inverted corners, then a higher worst scaled Jacobian. The numbering of the mesh does not matter,
+    as long as no two points lie in one place. Raises as optimize, WRONG_SHAPE, INDEX_OUT_OF_RANGE (elements:
+    points whose carrier does not exist), BAD_ARGUMENT (elements: carriers), CANCELLED; the best points so far are then the
+    error's `points`. Cost: linear in the hexes, some ten Newton steps.
+    """
+    points, hexes = _mesh(points, hexes)
+    sliding = _sliding(carrier_of_point, carriers, project, len(points))
+    with _best_when_cancelled(points):
+        _core.relax(points, hexes, *sliding, _count("rounds", rounds), _count("threads", threads),
+                    _number("budget", budget, "a number of seconds"), _progress(progress))
+    return points
 
 
 @_named_memory

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import enum
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +13,9 @@ __version__: str
 
 _Progress = Callable[[str, float], Any]
 
+_Project = Callable[[NDArray[np.float64], NDArray[np.int32]], tuple[ArrayLike, ArrayLike]]
+
+CARRIERS: dict[str, tuple[int, int, str]]
 METHODS: dict[str, int]
 TOPOLOGICAL_METHODS: frozenset[str]
 PAIRINGS: dict[str, int]
@@ -157,6 +160,14 @@ class Mesh:
     quality: Quality | None
     report: dict[str, Any]
 
+class Carrier(NamedTuple):
+    kind: str
+    origin: tuple[float, float, float] = ...
+    axis: tuple[float, float, float] = ...
+    across: tuple[float, float, float] = ...
+    sizes: tuple[float, ...] = ...
+    tag: int = ...
+
 def check_surface(points: ArrayLike, quads: ArrayLike) -> SurfaceReport: ...
 def orient(points: ArrayLike, quads: ArrayLike) -> tuple[NDArray[np.int32], int, int]: ...
 def loops(quads: ArrayLike) -> list[NDArray[np.int32]]: ...
@@ -183,5 +194,12 @@ def optimize(points: ArrayLike, hexes: ArrayLike, fixed: ArrayLike | None = ...,
 def morph(points: ArrayLike, hexes: ArrayLike, goal: ArrayLike, fixed: ArrayLike | None = ..., *,
           target: float = ...,
           progress: _Progress | None = ...) -> tuple[NDArray[np.float64], float]: ...
+def project_points(points: ArrayLike, carrier_of_point: ArrayLike,
+                   carriers: Iterable[Carrier | Sequence[Carrier]], *,
+                   project: _Project | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+def relax(points: ArrayLike, hexes: ArrayLike, carrier_of_point: ArrayLike,
+          carriers: Iterable[Carrier | Sequence[Carrier]], *, project: _Project | None = ...,
+          rounds: int = ..., threads: int = ..., budget: float = ...,
+          progress: _Progress | None = ...) -> NDArray[np.float64]: ...
 def raise_order(points: ArrayLike, hexes: ArrayLike) -> tuple[NDArray[np.float64],
                                                               NDArray[np.int32]]: ...

@@ -112,6 +112,10 @@ HEX_STAGES = dict(_core.hex_stages())
 """name: words, of the stages that put hexes in: "hexes of NAME" in a mesh's report."""
 
 
+CARRIERS = {name: (number, freedom, fields) for number, (name, freedom, fields) in enumerate(_core.carriers())}
+"""kind: (number, in how many directions a point moves on it, what its fields are for), of what points slide on."""
+
+
 def methods_that(wanted):
     """Names of the methods of which wanted(Method) holds, in the table's order."""
     return [name for name, method in METHOD_TABLE.items() if wanted(method)]

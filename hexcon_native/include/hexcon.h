@@ -458,6 +458,123 @@ hexcon_status hexcon_morph(hexcon_context *context, const double *points, size_t
                            const double *goal, const hexcon_morph_options *options,
                            double *positions, double *reached);
 
+/* ------------------------------------------------------------------------------------- sliding */
+
+/**
+ * What a point of a boundary can slide on: name, in how many directions it moves there, and what
+ * the fields of hexcon_carrier are for ("-": not used). New rows go to the end.
+ */
+#define HEXCON_CARRIERS(ROW)                                                                       \
+  ROW(POINT, "point", 0, "origin: the point")                                                      \
+  ROW(LINE, "line", 1, "origin on it, axis along it")                                              \
+  ROW(CIRCLE, "circle", 1, "origin its centre, axis across its plane, sizes[0] its radius")        \
+  ROW(ELLIPSE, "ellipse", 1,                                                                       \
+      "origin its centre, axis across its plane, across along its first half axis, sizes both "    \
+      "half axes")                                                                                 \
+  ROW(CURVE, "curve", 1, "any other curve: hexcon_project is asked")                               \
+  ROW(PLANE, "plane", 2, "origin in it, axis its normal")                                          \
+  ROW(CYLINDER, "cylinder", 2, "origin on its axis, axis along it, sizes[0] its radius")           \
+  ROW(CONE, "cone", 2,                                                                             \
+      "origin its apex, axis into the half that counts, sizes[0] its half angle in radians")       \
+  ROW(SPHERE, "sphere", 2, "origin its centre, sizes[0] its radius")                               \
+  ROW(TORUS, "torus", 2,                                                                           \
+      "origin its centre, axis of revolution, sizes the radius of the ring and of the tube")       \
+  ROW(SURFACE, "surface", 2, "any other surface: hexcon_project is asked")
+
+typedef enum hexcon_carrier_kind {
+#define HEXCON_CARRIER_VALUE(name, words, freedom, fields) HEXCON_CARRIER_##name,
+  HEXCON_CARRIERS(HEXCON_CARRIER_VALUE)
+#undef HEXCON_CARRIER_VALUE
+      HEXCON_CARRIER_COUNT
+} hexcon_carrier_kind;
+
+/** A kind of carrier in words; static texts. */
+typedef struct hexcon_carrier_facts {
+  const char *name;
+  int freedom; /**< directions in which a point moves on it: 0, 1 or 2 */
+  const char *fields;
+} hexcon_carrier_facts;
+
+/** @return NULL for values that do not exist */
+const hexcon_carrier_facts *hexcon_carrier_info(int kind);
+
+/** A point, a curve or a surface; which fields count is told by its kind. Surfaces and curves go on
+ * without end: a plane is a whole plane. */
+typedef struct hexcon_carrier {
+  int kind;         /**< a hexcon_carrier_kind */
+  int32_t tag;      /**< what hexcon_project is told; any number */
+  double origin[3]; /**< in the unit of the points */
+  double axis[3];   /**< any length but 0 */
+  double across[3]; /**< not along the axis */
+  double sizes[2];  /**< radii > 0; a half angle in 0 .. pi/2 */
+} hexcon_carrier;
+
+/**
+ * Put points on curves and surfaces that have no closed form; called from the calling thread, for
+ * many points at once.
+ * @param points      [count][3]
+ * @param tags        [count] which carrier each is to be put on
+ * @param projected   [count][3] receives the nearest place on it
+ * @param directions  [count][3] receives a tangent of the curve, or a normal of the surface, there;
+ *                    of any length but 0, either way round
+ * @return false to cancel
+ */
+typedef bool (*hexcon_project)(void *user, size_t count, const double *points, const int32_t *tags,
+                               double *projected, double *directions);
+
+/** carrier_of_point of a point that moves freely, and of one that stays where it is. */
+enum { HEXCON_FREE = -1, HEXCON_STAYS = -2 };
+
+/** What the points of a mesh slide on. */
+typedef struct hexcon_sliding {
+  const int32_t *carrier_of_point; /**< [point_count] in -2 .. carrier_count - 1 */
+  size_t carrier_count;
+  const int32_t *starts; /**< [carrier_count + 1] into pieces, ascending, from 0: a carrier is one
+                              piece or several, of which the nearest counts, as the faces of
+                              a smooth patch; all of the same freedom */
+  const hexcon_carrier *pieces; /**< [starts[carrier_count]] */
+  hexcon_project project;       /**< NULL if no piece is a CURVE or a SURFACE */
+  void *project_user;
+} hexcon_sliding;
+
+/**
+ * Put points on what they lie on: the nearest place on the nearest piece of their carrier.
+ * @param positions   [point_count][3] receives them; may be `points` itself
+ * @param directions  [point_count][3] receives unit tangents of curves and normals of surfaces, 0
+ * of points that lie on neither; NULL: not wanted Errors: those of hexcon_relax that tell of points
+ * and carriers. Linear.
+ */
+hexcon_status hexcon_project_points(hexcon_context *context, const double *points,
+                                    size_t point_count, const hexcon_sliding *sliding,
+                                    double *positions, double *directions);
+
+/** Options of hexcon_relax; zero means default. */
+typedef struct hexcon_relax_options {
+  int max_rounds; /**< of untangling and evening; default 16 */
+  int threads;    /**< default: one per processor. The result does not depend on it */
+  double budget;  /**< seconds of wall time, after which the best so far is returned; 0: no limit */
+} hexcon_relax_options;
+
+/**
+ * Untangle and smooth a hex mesh and its boundary together: points slide on what they lie on, and
+ * are put back onto it, as near as rounding allows, after every step. From any start, also with
+ * hexes of no volume. The start is put on its carriers first; the result is never worse than that:
+ * fewer inverted corners, then a higher worst scaled Jacobian. It does not depend on how points and
+ * hexes are numbered, as long as no two points lie in one place.
+ * @param sliding    what each point slides on
+ * @param options    NULL for defaults
+ * @param positions  [point_count][3] receives the result; may be `points` itself
+ * Errors: as hexcon_quality, REPEATED_VERTEX, BAD_ARGUMENT (an option; or carriers, which are
+ * listed; or what project answers), INDEX_OUT_OF_RANGE (points whose carrier does not exist),
+ * OUT_OF_MEMORY, CANCELLED (positions then hold the best so far). Cost: linear in the hexes, some
+ * ten Newton steps. Source: Garanzha et al., Foldover-free maps in 50 lines of code (2021), on
+ * products of manifolds as in Absil, Mahony, Sepulchre, Optimization Algorithms on Matrix Manifolds
+ * (2008), section 6.
+ */
+hexcon_status hexcon_relax(hexcon_context *context, const double *points, size_t point_count,
+                           const int32_t *hexes, size_t hex_count, const hexcon_sliding *sliding,
+                           const hexcon_relax_options *options, double *positions);
+
 /* -------------------------------------------------------------------------------------- solve */
 
 /** A mesh of order 2: straight edges, each with a point in its middle. */

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "hexcon.h"
+
 void array_copy_free(array_copy *copy) {
   free(copy->items);
   *copy = (array_copy){NULL, 0};
@@ -67,6 +69,14 @@ int copy_pairs(PyObject *from, void *to) {
 
 int copy_flags(PyObject *from, void *to) {
   return copy_rows(from, to, 1);
+}
+
+int copy_numbers(PyObject *from, void *to) {
+  return copy_rows(from, to, sizeof(int32_t));
+}
+
+int copy_carriers(PyObject *from, void *to) {
+  return copy_rows(from, to, sizeof(hexcon_carrier));
 }
 
 bool write_points(const array_copy *from, PyObject *to) {

@@ -30,6 +30,8 @@ int copy_hexes(PyObject *from, void *to);      /**< rows of 8 int32 */
 int copy_any_hexes(PyObject *from, void *to);  /**< or None */
 int copy_pairs(PyObject *from, void *to);      /**< rows of 2 int32, or None */
 int copy_flags(PyObject *from, void *to);      /**< bytes */
+int copy_numbers(PyObject *from, void *to);    /**< rows of 1 int32 */
+int copy_carriers(PyObject *from, void *to);   /**< rows of one hexcon_carrier */
 
 /** Write rows of 3 float64 over the buffer they were copied from.
  * @return false with an exception set, if it is another size now, or read-only */

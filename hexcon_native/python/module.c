@@ -6,6 +6,7 @@
 #include "buffers.h"
 #include "mesher_call.h"
 #include "run.h"
+#include "sliding_call.h"
 #include "tables.h"
 
 static PyObject *boolean(bool value) {
@@ -460,6 +461,14 @@ static PyMethodDef methods[] = {
     {"progress_stages", table_of_progress_stages, METH_NOARGS,
      "progress_stages() -> list of (name, words)"},
     {"hex_stages", table_of_hex_stages, METH_NOARGS, "hex_stages() -> list of (name, words)"},
+    {"carriers", table_of_carriers, METH_NOARGS,
+     "carriers() -> list of (name, freedom, fields), by number"},
+    {"project_points", project_points, METH_VARARGS,
+     "project_points(points, carrier_of_point, starts, pieces, project or None) -> (points, "
+     "directions)"},
+    {"relax", relax, METH_VARARGS,
+     "relax(positions, hexes, carrier_of_point, starts, pieces, project or None, rounds, threads, "
+     "budget, progress)"},
     {"check_surface", check_surface, METH_VARARGS, "check_surface(points, quads) -> dict"},
     {"orient_surface", orient_surface, METH_VARARGS,
      "orient_surface(points, quads) -> (quads, bodies, cavities)"},

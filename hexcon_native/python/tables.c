@@ -101,3 +101,15 @@ PyObject *table_of_hex_stages(PyObject *module, PyObject *arguments) {
   (void)module, (void)arguments;
   return list_of_rows(hex_stage_row);
 }
+
+/* ------------------------------------------------------------------------------------ carriers */
+
+static PyObject *carrier_row(size_t row) {
+  const hexcon_carrier_facts *f = hexcon_carrier_info((int)row);
+  return f ? Py_BuildValue("(sis)", f->name, f->freedom, f->fields) : NULL;
+}
+
+PyObject *table_of_carriers(PyObject *module, PyObject *arguments) {
+  (void)module, (void)arguments;
+  return list_of_rows(carrier_row);
+}

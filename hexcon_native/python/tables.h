@@ -12,6 +12,7 @@ PyObject *version_of_core(PyObject *module, PyObject *arguments);
 PyObject *table_of_pairings(PyObject *module, PyObject *arguments);
 PyObject *table_of_statuses(PyObject *module, PyObject *arguments);
 PyObject *table_of_progress_stages(PyObject *module, PyObject *arguments);
+PyObject *table_of_carriers(PyObject *module, PyObject *arguments);
 PyObject *table_of_hex_stages(PyObject *module, PyObject *arguments);
 
 #endif

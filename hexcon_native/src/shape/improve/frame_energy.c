@@ -69,6 +69,9 @@ static bool apply_ceiling(double ceiling, expansion_terms *terms) {
   return true;
 }
 
+/** A frame of no length counts as this short: it has no direction to shrink to, but an energy. */
+static const double smallest_squares = 1e-60;
+
 bool frame_energy(double frame[3][3], const frame_energy_options *options, bool slopes,
                   frame_derivatives *out) {
   for (int i = 0; i < 3; i++)
@@ -77,8 +80,9 @@ bool frame_energy(double frame[3][3], const frame_energy_options *options, bool 
   double squares = vector_dot(frame[0], frame[0]) + vector_dot(frame[1], frame[1]) +
                    vector_dot(frame[2], frame[2]);
   regularised chi;
-  if (!regularise(out->determinant, options->epsilon, &chi) || squares == 0)
+  if (!regularise(out->determinant, options->epsilon, &chi))
     return false;
+  squares = fmax(squares, smallest_squares);
   expansion_terms terms = {0};
   add_shape(squares, &chi, 1 - options->theta, &terms);
   if (options->theta > 0)

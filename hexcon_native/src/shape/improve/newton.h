@@ -4,6 +4,7 @@
 #define HEXCON_SHAPE_IMPROVE_NEWTON_H
 
 #include "patch_energy.h"
+#include "tangent_spaces.h"
 
 /** Buffers for one patch; its targets and energy may change between calls, its hexes may not. */
 typedef struct newton {
@@ -12,6 +13,7 @@ typedef struct newton {
   block_matrix hessian;
   double *gradient, *step; /**< [3 free_count] */
   double *trial;           /**< [3 point_count] */
+  tangent_spaces *spaces;  /**< where the free points may go, the caller's; NULL: anywhere */
 } newton;
 
 /** @param out free with newton_free, also after an error. Linear in the patch. */

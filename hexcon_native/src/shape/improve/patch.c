@@ -74,18 +74,23 @@ void patch_free(hexcon_context *context, patch *p) {
   memset(p, 0, sizeof *p);
 }
 
+void patch_edge_lengths(const patch *p, size_t hex, double *lengths) {
+  const int32_t *corners = p->corners + 8 * hex;
+  for (int e = 0; e < PATCH_EDGES; e++) {
+    int start = patch_edge_start(e);
+    double edge[3];
+    vector_subtract(p->x + 3 * (size_t)corners[start | 1 << e / 4],
+                    p->x + 3 * (size_t)corners[start], edge);
+    lengths[e] = vector_length(edge);
+  }
+}
+
 void patch_target_own_lengths(patch *p, double smallest) {
   for (size_t h = 0; h < p->hex_count; h++) {
-    const int32_t *corners = p->corners + 8 * h;
     double *stretch = p->stretch + PATCH_EDGES * h, longest = 0;
-    for (int e = 0; e < PATCH_EDGES; e++) {
-      int start = patch_edge_start(e);
-      double edge[3];
-      vector_subtract(p->x + 3 * (size_t)corners[start | 1 << e / 4],
-                      p->x + 3 * (size_t)corners[start], edge);
-      stretch[e] = vector_length(edge);
+    patch_edge_lengths(p, h, stretch);
+    for (int e = 0; e < PATCH_EDGES; e++)
       longest = fmax(longest, stretch[e]);
-    }
     for (int e = 0; e < PATCH_EDGES; e++)
       stretch[e] = longest > 0 ? 1 / fmax(stretch[e], smallest * longest) : 1;
   }

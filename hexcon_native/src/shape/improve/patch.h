@@ -47,6 +47,9 @@ hexcon_status patch_copy(hexcon_context *context, const int32_t *hexes, const do
                          size_t hex_count, int32_t *slots, patch *out);
 void patch_free(hexcon_context *context, patch *p);
 
+/** Present lengths of a hex's edges. @param lengths [PATCH_EDGES] */
+void patch_edge_lengths(const patch *p, size_t hex, double *lengths);
+
 /** Targets: every edge's own present length, but at least `smallest` times the longest of its hex;
  * 1 in a hex that has collapsed to a point. */
 void patch_target_own_lengths(patch *p, double smallest);
