@@ -34,8 +34,9 @@ ROW = np.dtype([("kind", np.int32), ("tag", np.int32), ("origin", np.float64, 3)
 
 def _row(carrier):
     number, _, _ = CARRIERS[carrier.kind]
-    sizes = (*np.atleast_1d(np.asarray(carrier.sizes, np.float64)), 1.0)[:2]
-    return (number, operator.index(carrier.tag), carrier.origin, carrier.axis, carrier.across, sizes)
+    first, second = (*carrier.sizes, *carrier.sizes)[:2]
+    return (number, operator.index(carrier.tag), tuple(carrier.origin), tuple(carrier.axis), tuple(carrier.across),
+            (first, second))
 
 
 def packed(carriers):

@@ -462,7 +462,7 @@ hexcon_status hexcon_morph(hexcon_context *context, const double *points, size_t
 
 /**
  * What a point of a boundary can slide on: name, in how many directions it moves there, and what
- * the fields of hexcon_carrier are for ("-": not used). New rows go to the end.
+ * the fields of hexcon_carrier are for. New rows go to the end.
  */
 #define HEXCON_CARRIERS(ROW)                                                                       \
   ROW(POINT, "point", 0, "origin: the point")                                                      \
@@ -478,15 +478,15 @@ hexcon_status hexcon_morph(hexcon_context *context, const double *points, size_t
       "origin its apex, axis into the half that counts, sizes[0] its half angle in radians")       \
   ROW(SPHERE, "sphere", 2, "origin its centre, sizes[0] its radius")                               \
   ROW(TORUS, "torus", 2,                                                                           \
-      "origin its centre, axis of revolution, sizes the radius of the ring and of the tube")       \
+      "origin its centre, axis of revolution, sizes the radii of the ring and, no larger, of the " \
+      "tube")                                                                                      \
   ROW(SURFACE, "surface", 2, "any other surface: hexcon_project is asked")
 
-typedef enum hexcon_carrier_kind {
 #define HEXCON_CARRIER_VALUE(name, words, freedom, fields) HEXCON_CARRIER_##name,
-  HEXCON_CARRIERS(HEXCON_CARRIER_VALUE)
-#undef HEXCON_CARRIER_VALUE
-      HEXCON_CARRIER_COUNT
+typedef enum hexcon_carrier_kind {
+  HEXCON_CARRIERS(HEXCON_CARRIER_VALUE) HEXCON_CARRIER_COUNT
 } hexcon_carrier_kind;
+#undef HEXCON_CARRIER_VALUE
 
 /** A kind of carrier in words; static texts. */
 typedef struct hexcon_carrier_facts {
@@ -525,13 +525,12 @@ typedef bool (*hexcon_project)(void *user, size_t count, const double *points, c
 /** carrier_of_point of a point that moves freely, and of one that stays where it is. */
 enum { HEXCON_FREE = -1, HEXCON_STAYS = -2 };
 
-/** What the points of a mesh slide on. */
+/** What the points of a mesh slide on. A carrier is one piece or several, of which the nearest
+ * counts, as the faces of a smooth patch: all points, all curves or all surfaces. */
 typedef struct hexcon_sliding {
   const int32_t *carrier_of_point; /**< [point_count] in -2 .. carrier_count - 1 */
   size_t carrier_count;
-  const int32_t *starts; /**< [carrier_count + 1] into pieces, ascending, from 0: a carrier is one
-                              piece or several, of which the nearest counts, as the faces of
-                              a smooth patch; all of the same freedom */
+  const int32_t *starts;        /**< [carrier_count + 1] into pieces, ascending, from 0 */
   const hexcon_carrier *pieces; /**< [starts[carrier_count]] */
   hexcon_project project;       /**< NULL if no piece is a CURVE or a SURFACE */
   void *project_user;
@@ -541,8 +540,8 @@ typedef struct hexcon_sliding {
  * Put points on what they lie on: the nearest place on the nearest piece of their carrier.
  * @param positions   [point_count][3] receives them; may be `points` itself
  * @param directions  [point_count][3] receives unit tangents of curves and normals of surfaces, 0
- * of points that lie on neither; NULL: not wanted Errors: those of hexcon_relax that tell of points
- * and carriers. Linear.
+ *                    of points that lie on neither; NULL: not wanted
+ * Errors: those of hexcon_relax that tell of points and carriers. Linear.
  */
 hexcon_status hexcon_project_points(hexcon_context *context, const double *points,
                                     size_t point_count, const hexcon_sliding *sliding,
@@ -559,17 +558,17 @@ typedef struct hexcon_relax_options {
  * Untangle and smooth a hex mesh and its boundary together: points slide on what they lie on, and
  * are put back onto it, as near as rounding allows, after every step. From any start, also with
  * hexes of no volume. The start is put on its carriers first; the result is never worse than that:
- * fewer inverted corners, then a higher worst scaled Jacobian. It does not depend on how points and
- * hexes are numbered, as long as no two points lie in one place.
+ * fewer inverted hexes, by their corners, then a higher worst scaled Jacobian. It does not depend
+ * on how points and hexes are numbered, as long as no two points lie in one place.
  * @param sliding    what each point slides on
  * @param options    NULL for defaults
  * @param positions  [point_count][3] receives the result; may be `points` itself
  * Errors: as hexcon_quality, REPEATED_VERTEX, BAD_ARGUMENT (an option; or carriers, which are
- * listed; or what project answers), INDEX_OUT_OF_RANGE (points whose carrier does not exist),
- * OUT_OF_MEMORY, CANCELLED (positions then hold the best so far). Cost: linear in the hexes, some
- * ten Newton steps. Source: Garanzha et al., Foldover-free maps in 50 lines of code (2021), on
- * products of manifolds as in Absil, Mahony, Sepulchre, Optimization Algorithms on Matrix Manifolds
- * (2008), section 6.
+ * listed; or what `project` answers), INDEX_OUT_OF_RANGE (points whose carrier does not exist),
+ * OUT_OF_MEMORY, OUT_OF_TIME (before the start was on its carriers), CANCELLED (positions then hold
+ * the best so far). Cost: linear in the hexes, some ten Newton steps.
+ * Source: Garanzha et al., Foldover-free maps in 50 lines of code (2021), on products of manifolds
+ * as in Absil, Mahony, Sepulchre, Optimization Algorithms on Matrix Manifolds (2008), section 6.
  */
 hexcon_status hexcon_relax(hexcon_context *context, const double *points, size_t point_count,
                            const int32_t *hexes, size_t hex_count, const hexcon_sliding *sliding,

@@ -150,6 +150,41 @@ static hexcon_status call_optimize(hexcon_context *context, material *m) {
   return status;
 }
 
+/** The sides of a scrambled box slide on planes, one of which is asked for. */
+static bool project_to_plane(void *user, size_t count, const double *points, const int32_t *tags,
+                             double *projected, double *directions) {
+  (void)user, (void)tags;
+  for (size_t i = 0; i < 3 * count; i++) {
+    projected[i] = i % 3 == 2 ? 0 : points[i];
+    directions[i] = i % 3 == 2;
+  }
+  return true;
+}
+
+static hexcon_status call_relax(hexcon_context *context, material *m) {
+  static const hexcon_carrier pieces[] = {{.kind = HEXCON_CARRIER_PLANE, .axis = {1, 0, 0}},
+                                          {.kind = HEXCON_CARRIER_SURFACE}};
+  const int32_t starts[] = {0, 1, 2};
+  const test_mesh *box = &m->scrambled;
+  int32_t *carriers = malloc(box->point_count * sizeof *carriers);
+  assert_non_null(carriers);
+  for (size_t v = 0; v < box->point_count; v++) {
+    const double *p = box->points + 3 * v;
+    carriers[v] = v >= box->surface_point_count ? HEXCON_FREE
+                  : p[0] == 0                   ? 0
+                  : p[2] == 0                   ? 1
+                                                : HEXCON_STAYS;
+  }
+  const hexcon_sliding sliding = {carriers, 2, starts, pieces, project_to_plane, NULL};
+  hexcon_status status = hexcon_relax(context, box->points, box->point_count, box->hexes,
+                                      box->hex_count, &sliding, NULL, m->positions);
+  for (size_t v = 0; v < box->surface_point_count; v++)
+    assert_true(status == HEXCON_OUT_OF_MEMORY || carriers[v] < 0 ||
+                m->positions[3 * v + (carriers[v] == 0 ? 0 : 2)] == 0);
+  free(carriers);
+  return status;
+}
+
 /** In several steps; where it ends early, and wherever it is cancelled, the mesh is valid. */
 static hexcon_status call_morph(hexcon_context *context, material *m) {
   double reached = -1;
@@ -345,6 +380,7 @@ static const struct {
              {"certify", call_certify},
              {"certify bad", call_certify_bad},
              {"optimize", call_optimize},
+             {"relax", call_relax},
              {"morph", call_morph},
              {"morph boundary", call_morph_boundary},
              {"raise order", call_raise_order},

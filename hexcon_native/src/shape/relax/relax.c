@@ -231,6 +231,10 @@ static hexcon_status relax_placed(hexcon_context *context, const sliding_points 
     write_best(&r, &mesh);
     canonical_order_write(&mesh, positions);
   }
+  if (begun && status == HEXCON_OUT_OF_TIME) {
+    context_clear(context);
+    status = HEXCON_OK;
+  }
   context_tell_mesh(context, 0, 0, NAN);
   relaxation_free(context, &r);
   canonical_order_free(context, &mesh);
@@ -268,5 +272,5 @@ hexcon_status hexcon_relax(hexcon_context *context, const double *points, size_t
                           chosen.max_rounds > 0 ? chosen.max_rounds : default_rounds, positions);
   context_limit(context, 0, 0);
   sliding_points_free(context, &s);
-  return status == HEXCON_OUT_OF_TIME ? HEXCON_OK : status; /* with the best so far */
+  return status;
 }

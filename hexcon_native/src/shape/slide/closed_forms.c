@@ -82,6 +82,8 @@ const char *carrier_fault(const hexcon_carrier *carrier) {
       return "a size of it is not positive, or beyond 1e100";
   if (carrier->kind == HEXCON_CARRIER_CONE && !(carrier->sizes[0] < right_angle))
     return "its half angle is not below pi / 2";
+  if (carrier->kind == HEXCON_CARRIER_TORUS && carrier->sizes[1] > carrier->sizes[0])
+    return "its tube is thicker than its ring, so that it crosses itself";
   if (needs->across) {
     hexcon_carrier unit = *carrier;
     scale_to(1, unit.axis);

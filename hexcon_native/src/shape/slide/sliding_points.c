@@ -41,9 +41,10 @@ static hexcon_status check_carriers(hexcon_context *context, const hexcon_slidin
   }
   if (bad == 0)
     return HEXCON_OK;
-  return context_fail(context, HEXCON_BAD_ARGUMENT,
-                      "%zu of %zu carriers (listed) cannot be used; of the first, %s", bad,
-                      given->carrier_count, first);
+  (void)context_fail(context, HEXCON_BAD_ARGUMENT,
+                     "%zu of %zu carriers (listed) cannot be used; of the first, %s", bad,
+                     given->carrier_count, first);
+  return HEXCON_BAD_ARGUMENT;
 }
 
 static hexcon_status check_points_of(hexcon_context *context, const hexcon_sliding *given,
@@ -60,9 +61,10 @@ static hexcon_status check_points_of(hexcon_context *context, const hexcon_slidi
   }
   if (status || bad == 0)
     return status;
-  return context_fail(context, HEXCON_INDEX_OUT_OF_RANGE,
-                      "%zu points (listed) name carriers outside -2 .. %zu - 1", bad,
-                      given->carrier_count);
+  (void)context_fail(context, HEXCON_INDEX_OUT_OF_RANGE,
+                     "%zu points (listed) name carriers outside -2 .. %zu - 1", bad,
+                     given->carrier_count);
+  return HEXCON_INDEX_OUT_OF_RANGE;
 }
 
 hexcon_status sliding_points_new(hexcon_context *context, const hexcon_sliding *given,
@@ -72,9 +74,11 @@ hexcon_status sliding_points_new(hexcon_context *context, const hexcon_sliding *
                           .starts = given->starts,
                           .project = given->project,
                           .project_user = given->project_user};
-  if (given->carrier_count >= CONTEXT_MAX_COUNT)
-    return context_fail(context, HEXCON_TOO_LARGE, "%zu carriers are more than 32-bit ids count",
-                        given->carrier_count);
+  if (given->carrier_count >= CONTEXT_MAX_COUNT) {
+    (void)context_fail(context, HEXCON_TOO_LARGE, "%zu carriers are more than 32-bit ids count",
+                       given->carrier_count);
+    return HEXCON_TOO_LARGE;
+  }
   hexcon_status status = check_carriers(context, given);
   if (!status)
     status = check_points_of(context, given, point_count);
