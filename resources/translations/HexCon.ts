@@ -677,11 +677,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>boxes, polyhedra and mixtures that are no sweep, of balls: layers of hexes take one dual loop after the other away, until a cube or a core is left</source>
+        <source>boxes, polyhedra and mixtures that are no sweep: layers of hexes cut all handles and take one dual loop after the other away, down to a cube or a core</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{sheets} sheets[, a core of {core quads} quads]</source>
+        <source>{sheets} sheets[, {cuts} of them cuts][, a core of {core quads} quads]</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -894,6 +894,10 @@
     </message>
     <message>
         <source>Hexes: placing points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hexes: cutting handles</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -11,7 +11,8 @@
 
 /** Surfaces and meshes the calls work on. */
 typedef struct material {
-  test_mesh swept, twisted, diced, small, not_swept, torus, odd_torus, hollow, scrambled, cube;
+  test_mesh swept, twisted, diced, small, not_swept, torus, odd_torus, hollow, scrambled, cube,
+      tunnels;
   uint8_t *fixed, *swept_fixed;
   double *positions, *goal; /* goal: of swept, to be gone to by its boundary */
 } material;
@@ -340,6 +341,16 @@ static hexcon_status call_mesh_sheets(hexcon_context *context, material *m) {
   return mesh_by(context, &m->twisted, HEXCON_METHOD_SHEETS, 1);
 }
 
+/** A ring, whose cut leaves a sweep. */
+static hexcon_status call_mesh_cut_ring(hexcon_context *context, material *m) {
+  return mesh_by(context, &m->torus, HEXCON_METHOD_SHEETS, 1);
+}
+
+/** A cube with three tunnels, of genus 5. */
+static hexcon_status call_mesh_cut_cube(hexcon_context *context, material *m) {
+  return mesh_by(context, &m->tunnels, HEXCON_METHOD_SHEETS, 1);
+}
+
 /** With dead ends, and cores that are found, but not filled. */
 static hexcon_status call_mesh_no_sheets(hexcon_context *context, material *m) {
   hexcon_mesh *mesh = NULL;
@@ -394,6 +405,8 @@ static const struct {
              {"mesh geode-alt", call_mesh_geode_alt},
              {"mesh no sides", call_mesh_no_sides},
              {"mesh sheets", call_mesh_sheets},
+             {"mesh cut ring", call_mesh_cut_ring},
+             {"mesh cut cube", call_mesh_cut_cube},
              {"mesh no sheets", call_mesh_no_sheets},
              {"mesh core", call_mesh_core},
              {"mesh diced", call_mesh_diced},
@@ -402,9 +415,9 @@ static const struct {
 
 enum { CALL_COUNT = sizeof calls / sizeof *calls };
 
-/** Of a call that takes long, every 23rd allocation fails, not each. */
+/** Of calls that take long, every 23rd allocation fails, not each. */
 static size_t stride_of(public_call call) {
-  return call == call_mesh_core ? 23 : 1;
+  return call == call_mesh_core || call == call_mesh_cut_cube ? 23 : 1;
 }
 
 /* --------------------------------------------------------------------------------- material */
@@ -450,6 +463,10 @@ static int set_up(void **state) {
   m.torus = make_torus(3, 4);
   m.odd_torus = make_torus(4, 3);
   m.hollow = make_cells(3, 3, 3, "#############.#############");
+  m.tunnels = make_cells(3, 3, 3,
+                         "####.####"
+                         "#.#...#.#"
+                         "####.####");
   m.cube = make_box(1, 1, 1);
   m.scrambled = make_box(4, 3, 3);
   for (size_t i = 3 * m.scrambled.surface_point_count; i < 3 * m.scrambled.point_count; i++)
@@ -472,6 +489,7 @@ static int tear_down(void **state) {
   test_mesh_free(&m->torus);
   test_mesh_free(&m->odd_torus);
   test_mesh_free(&m->hollow);
+  test_mesh_free(&m->tunnels);
   test_mesh_free(&m->cube);
   test_mesh_free(&m->scrambled);
   free(m->fixed);

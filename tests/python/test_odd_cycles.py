@@ -140,12 +140,12 @@ def test_other_faults_come_first():
 
 
 def test_odd_longitude_is_another_matter():
-    """It bounds nothing inside. A sweep along it does not mind; others do, but say nothing against the surface."""
+    """It bounds nothing inside. A sweep along it does not mind, nor do layers; others do, but not the surface."""
     points, quads = tube(circle, 5, 4, 1.0)
     report = hn.check_surface(points, quads)
     assert report.fillable is True and not report.bipartite
-    for method in hn.METHODS:
-        if method not in ("auto", "swept"):
+    for method, row in hn.METHOD_TABLE.items():
+        if not row.odd_colours:
             assert refusal(points, quads, method).code != Code.NO_HEX_MESH
     mesh = hn.mesh(points, quads)
     assert mesh.method == "swept" and len(mesh.hexes) == 5

@@ -120,12 +120,6 @@ def test_the_result_does_not_depend_on_threads_and_chance():
     assert first.hexes.tobytes() == second.hexes.tobytes()
 
 
-def test_bodies_with_holes_are_refused():
-    with pytest.raises(hn.HexconError) as fault:
-        hn.mesh(*prism(annulus(8), np.arange(3.0), upright), "sheets")
-    assert fault.value.code == hn.ErrorCode.NOT_A_BALL
-
-
 def test_order_and_progress():
     seen = []
     mesh = hn.mesh(*box(3, 3, 3), "sheets", order=2, progress=lambda stage, part: seen.append(part) or True)

@@ -12,6 +12,7 @@
   ROW(STAGE_PAIRING, "pairing", "Hexes: pairing quads")                                            \
   ROW(STAGE_SWEEP_RECOGNITION, "sweep recognition", "Hexes: looking for sweeps")                   \
   ROW(STAGE_PLACEMENT, "placement", "Hexes: placing points")                                       \
+  ROW(STAGE_CUTS, "cutting handles", "Hexes: cutting handles")                                     \
   ROW(STAGE_LOOPS, "taking loops away", "Hexes: taking dual loops away")                           \
   ROW(STAGE_ROTATIONS, "rotating edges", "Hexes: looking for edges to rotate")                     \
   ROW(STAGE_SPLIT_LAYERS, "split layers", "Hexes: laying split layers")                            \

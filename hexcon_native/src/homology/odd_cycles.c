@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "handle_cycles.h"
+#include "edge_labels.h"
 #include "linking_numbers.h"
 #include "short_cycle.h"
 #include "surface/colouring.h"
@@ -38,7 +38,7 @@ static void search_free(hexcon_context *context, search *w) {
 static hexcon_status search_new(hexcon_context *context, search *w) {
   const surface *s = w->s;
   w->sum = context_allocate_zeroed(context, 4 * s->quad_count, sizeof *w->sum);
-  w->labels = context_allocate_zeroed(context, 4 * s->quad_count, sizeof *w->labels);
+  w->labels = context_allocate(context, 4 * s->quad_count, sizeof *w->labels);
   w->place = context_allocate(context, s->point_count, sizeof *w->place);
   w->half_edge_of_point = context_allocate(context, s->point_count, sizeof *w->half_edge_of_point);
   w->walk = context_allocate(context, 2 * s->quad_count, sizeof *w->walk);
@@ -84,31 +84,6 @@ static void add_rest(search *w, size_t cycle) {
   for (size_t j = 0; j < w->cycles->count; j++)
     if (bit_matrix_get(w->linking, cycle, j))
       add_cycle(w, j);
-}
-
-/** splitmix64's finalizer: as good as random words, and always the same. */
-static uint64_t scramble(uint64_t x) {
-  x = (x + 1) * 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
-/** What a path links is the sum of the matrix's rows for the rings that it crosses. Rows become
- * words by a linear map, one to one for up to 64 columns, else at random: a path that links
- * something then has a sum of 0 with a chance of 2^-64. */
-static void label_edges(search *w) {
-  const handle_cycles *c = w->cycles;
-  for (size_t j = 0; j < c->count; j++) {
-    uint64_t label = 0;
-    for (size_t k = 0; k < c->count; k++)
-      if (bit_matrix_get(w->linking, j, k))
-        label ^= c->count <= 64 ? (uint64_t)1 << k : scramble(k);
-    for (size_t k = c->first_across[j]; k < c->first_across[j + 1]; k++) {
-      w->labels[c->across[k]] ^= label;
-      w->labels[w->s->twins[c->across[k]]] ^= label;
-    }
-  }
 }
 
 /* --------------------------------------------------------------------------------------- paths */
@@ -273,7 +248,7 @@ static hexcon_status judge(hexcon_context *context, const surface *s, const hand
   search w = {.s = s, .cycles = cycles, .linking = linking};
   hexcon_status status = search_new(context, &w);
   if (!status) {
-    label_edges(&w);
+    edge_labels_write(s, cycles, linking, w.labels);
     status = find_paths(context, &w, out);
   }
   search_free(context, &w);

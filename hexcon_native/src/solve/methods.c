@@ -56,11 +56,13 @@ static const method_row rows[] = {
                .name = "sheets",
                .label = "sheets",
                .purpose =
-                   "boxes, polyhedra and mixtures that are no sweep, of balls: layers of hexes "
-                   "take one dual loop after the other away, until a cube or a core is left",
-               .told = "{sheets} sheets[, a core of {core quads} quads]",
+                   "boxes, polyhedra and mixtures that are no sweep: layers of hexes cut all "
+                   "handles and take one dual loop after the other away, down to a cube or a core",
+               .told = "{sheets} sheets[, {cuts} of them cuts][, a core of {core quads} quads]",
                .core = true,
                .tetrahedralise = true,
+               .holes = true,
+               .odd_colours = true,
                .tries = {{.turn = 3, .good_worst = 0.2, .no_core = true},
                          {.turn = 7, .good_worst = 0.08}}},
      .fill = mesh_sheets},

@@ -3,16 +3,7 @@
 #ifndef HEXCON_SOLVE_METHODS_H
 #define HEXCON_SOLVE_METHODS_H
 
-#include "solve/common/mesh_result.h"
-#include "surface/half_edges.h"
-
-/**
- * Fill a checked surface.
- * @param mesh  its points and hexes are filled, and its quality, if the method looked at
- * it; the caller frees, also after an error
- */
-typedef hexcon_status (*method_function)(hexcon_context *context, const surface *s,
-                                         const hexcon_mesh_options *options, hexcon_mesh *mesh);
+#include "solve/common/method_function.h"
 
 typedef struct method_row {
   hexcon_method_facts facts;

@@ -48,12 +48,6 @@ static bool is_better(const hexcon_mesh *a, const hexcon_mesh *b) {
   return mesh_worth_exceeds(&one, &other, &preference);
 }
 
-/** Whether a fault only says that the method is not for this surface. */
-static bool is_about_method(hexcon_status status) {
-  return status != HEXCON_OUT_OF_MEMORY && status != HEXCON_CANCELLED &&
-         status != HEXCON_OUT_OF_TIME;
-}
-
 static void log_mesh(hexcon_mesh *told, const candidate *c, const hexcon_mesh *mesh) {
   char line[256];
   (void)snprintf(line, sizeof line, "%s: %zu hexes, scaled Jacobian min %.4f, mean %.4f, %s",
@@ -90,7 +84,7 @@ static void append_log(hexcon_mesh *told, const hexcon_mesh *best) {
 
 /** Try one method. @param good receives whether no other is needed */
 static hexcon_status try_candidate(hexcon_context *context, const surface *s,
-                                   const hexcon_mesh_options *options, mesh_by_method fill,
+                                   const hexcon_mesh_options *options, method_function fill,
                                    const candidate *c, hexcon_mesh *told, hexcon_mesh *best,
                                    bool *good) {
   hexcon_mesh_options chosen = *options;
@@ -136,7 +130,7 @@ static void explain(hexcon_mesh *told, const hexcon_mesh *best, bool good) {
 }
 
 hexcon_status mesh_auto(hexcon_context *context, const surface *s,
-                        const hexcon_mesh_options *options, mesh_by_method fill,
+                        const hexcon_mesh_options *options, method_function fill,
                         hexcon_mesh *mesh) {
   hexcon_mesh *told = context_allocate_zeroed(context, 1, sizeof *told);
   if (!told)
@@ -149,10 +143,10 @@ hexcon_status mesh_auto(hexcon_context *context, const surface *s,
         (c.row->facts.proposal && !options->proposal))
       continue;
     status = try_candidate(context, s, options, fill, &c, told, mesh, &good);
-    if (status && !is_about_method(status))
+    if (status && !fault_is_about_method(status))
       break;
   }
-  if (mesh->hexes && (is_about_method(status) || status == HEXCON_OUT_OF_TIME)) {
+  if (mesh->hexes && (fault_is_about_method(status) || status == HEXCON_OUT_OF_TIME)) {
     status = HEXCON_OK;
     context_clear(context);
     explain(told, mesh, good);

@@ -3,22 +3,18 @@
 #ifndef HEXCON_SOLVE_AUTO_MESH_AUTO_H
 #define HEXCON_SOLVE_AUTO_MESH_AUTO_H
 
-#include "solve/common/mesh_result.h"
-#include "surface/half_edges.h"
-
-/** Fills a surface by one method and certifies the result, whatever the certificate says. */
-typedef hexcon_status (*mesh_by_method)(hexcon_context *context, const surface *s,
-                                        const hexcon_mesh_options *options, hexcon_mesh *mesh);
+#include "solve/common/method_function.h"
 
 /**
  * Try the methods in the order of what their meshes are worth, until one is certified and good;
  * keep the best. Each is told of in the log, and so is the choice.
- * @param fill  fills by options->method
+ * @param fill  fills by options->method and certifies the result, whatever the certificate says
  * @param mesh  empty; receives the best
  * Errors: the last method's where none makes a mesh; CANCELLED, OUT_OF_MEMORY, OUT_OF_TIME. A mesh
  * that is not certified is handed out only where there is no other.
  */
 hexcon_status mesh_auto(hexcon_context *context, const surface *s,
-                        const hexcon_mesh_options *options, mesh_by_method fill, hexcon_mesh *mesh);
+                        const hexcon_mesh_options *options, method_function fill,
+                        hexcon_mesh *mesh);
 
 #endif

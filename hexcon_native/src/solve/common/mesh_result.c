@@ -2,6 +2,7 @@
 #include "mesh_result.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "raise_order.h"
 
@@ -11,6 +12,13 @@ void mesh_note(hexcon_mesh *mesh, const char *name, double value) {
   hexcon_figure *figure = &mesh->figures[mesh->figure_count++];
   (void)snprintf(figure->name, sizeof figure->name, "%s", name);
   figure->value = value;
+}
+
+double mesh_figure(const hexcon_mesh *mesh, const char *name) {
+  for (size_t i = 0; i < mesh->figure_count; i++)
+    if (strcmp(mesh->figures[i].name, name) == 0)
+      return mesh->figures[i].value;
+  return 0;
 }
 
 void mesh_log(hexcon_mesh *mesh, const char *line) {

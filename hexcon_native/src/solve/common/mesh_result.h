@@ -30,6 +30,9 @@ void mesh_clear(hexcon_context *context, hexcon_mesh *mesh);
 /** Add a figure; those beyond MAX_FIGURES are dropped. */
 void mesh_note(hexcon_mesh *mesh, const char *name, double value);
 
+/** Value of a figure; 0: there is none of that name. */
+double mesh_figure(const hexcon_mesh *mesh, const char *name);
+
 /** Add a line to the log; what is beyond MAX_LOG is cut off. */
 void mesh_log(hexcon_mesh *mesh, const char *line);
 

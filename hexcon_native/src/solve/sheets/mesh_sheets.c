@@ -7,6 +7,8 @@
 #include "core_mesh.h"
 #include "sheet_cores.h"
 #include "solve/common/quality_bound.h"
+#include "solve/cuts/mesh_cuts.h"
+#include "solve/swept/mesh_swept.h"
 
 /** In this order until a mesh is good: first what geometry says, then mostly the number of hexes,
  * then with luck, which helps out of dead ends. */
@@ -17,8 +19,16 @@ enum { TASTES = sizeof tastes / sizeof *tastes };
 /** Of tastes that lead to a mesh, so many are compared; more, if none is valid. */
 enum { MESHES_COMPARED = 2, MESHES_MOST = 3 };
 
-/** Quads visited beyond dead ends, for each taste. */
-enum { SEARCH_QUADS = 400000 };
+/** How much is done for a ball. */
+typedef struct patience {
+  size_t search_quads; /* visited beyond dead ends, for each taste */
+  bool rough; /* layers only, not improved: others will do that, and may fill another ball */
+} patience;
+
+static const patience full_patience = {.search_quads = 400000};
+
+/** For a ball that cuts leave. */
+static const patience little_patience = {.search_quads = 20000, .rough = true};
 
 /** Worst scaled Jacobian, as part of what the surface allows, with which no other way is tried. */
 static const double good_part = 0.6;
@@ -45,9 +55,9 @@ typedef struct effort {
 } effort;
 
 /** True if no further taste is worth its while. */
-static bool is_enough(const effort *e, const filling *best) {
+static bool is_enough(const patience *p, const effort *e, const filling *best) {
   bool valid = best->mesh.points && best->mesh.inverted == 0;
-  return e->taste_count == TASTES || e->mesh_count >= MESHES_MOST ||
+  return e->taste_count == TASTES || e->mesh_count >= (p->rough ? MESHES_COMPARED : MESHES_MOST) ||
          (valid && e->mesh_count >= MESHES_COMPARED) ||
          (valid && best->mesh.worst >= good_part * best->bound);
 }
@@ -85,12 +95,12 @@ static hexcon_status note_smallest(hexcon_context *context, sheet_search *search
   return layered_core_take(context, search, &e->smallest);
 }
 
-static hexcon_status try_taste(hexcon_context *context, const surface *s, const sheet_taste *taste,
+static hexcon_status try_taste(hexcon_context *context, const surface *s, const patience *p,
                                int threads, effort *e, filling *best) {
   sheet_search search;
   filling f = {0};
-  hexcon_status status = sheet_search_run(context, s, taste, SEARCH_QUADS, &search);
-  e->taste_count++;
+  hexcon_status status =
+      sheet_search_run(context, s, &tastes[e->taste_count++], p->search_quads, &search);
   e->step_count += search.step_count;
   if (!status && !search.complete)
     status = note_smallest(context, &search, e);
@@ -99,7 +109,7 @@ static hexcon_status try_taste(hexcon_context *context, const surface *s, const 
     e->mesh_count++;
     status = take(context, &search, &f);
     taken = !status;
-    if (taken)
+    if (taken && !p->rough)
       status = improve(context, s, threads, &f);
   }
   sheet_search_free(context, &search);
@@ -138,6 +148,7 @@ static hexcon_status fail(hexcon_context *context, const surface *s, const layer
 static void tell_layers(const surface *s, const effort *e, filling *f, hexcon_mesh *mesh) {
   char line[160];
   mesh_note(mesh, "sheets", (double)f->layer_count);
+  mesh_note(mesh, "cuts", 0);
   mesh_note(mesh, "quads removed", (double)s->quad_count);
   mesh_note(mesh, "core quads", 0);
   mesh_note(mesh, "core hexes", 0);
@@ -150,17 +161,11 @@ static void tell_layers(const surface *s, const effort *e, filling *f, hexcon_me
   mesh_log(mesh, line);
 }
 
-static hexcon_status check_sphere(hexcon_context *context, const surface *s) {
-  if (surface_is_sphere(s))
-    return HEXCON_OK;
-  return context_fail(context, HEXCON_NOT_A_BALL,
-                      "the surface has holes through it: sheets fill balls only; cut it");
-}
-
 /* ------------------------------------------------------------------------------------ the core */
 
 static void tell_core(const surface *s, const core_mesh *m, hexcon_mesh *mesh) {
   mesh_note(mesh, "sheets", (double)m->layer_count);
+  mesh_note(mesh, "cuts", 0);
   mesh_note(mesh, "quads removed", (double)(s->quad_count - m->core_quads));
   mesh_note(mesh, "core quads", (double)m->core_quads);
   mesh_note(mesh, "core hexes", (double)m->core_hexes);
@@ -186,7 +191,7 @@ static hexcon_status try_cores(hexcon_context *context, const surface *s,
   sheet_cores all;
   const bool whole_only = options->no_core || (best->mesh.points && best->mesh.inverted == 0);
   double start = mesh_clock();
-  hexcon_status status = sheet_cores_find(context, s, whole_only, SEARCH_QUADS, &all);
+  hexcon_status status = sheet_cores_find(context, s, whole_only, full_patience.search_quads, &all);
   mesh_note_seconds(mesh, "core search", start);
   start = mesh_clock();
   if (!status)
@@ -202,19 +207,19 @@ static bool is_good(const filling *best) {
          best->mesh.worst >= fmin(good_worst, near_the_bound * best->bound);
 }
 
-hexcon_status mesh_sheets(hexcon_context *context, const surface *s,
-                          const hexcon_mesh_options *options, hexcon_mesh *mesh) {
+static hexcon_status fill_ball(hexcon_context *context, const surface *s, const patience *p,
+                               const hexcon_mesh_options *options, hexcon_mesh *mesh) {
   effort e = {0};
   filling best = {0};
   core_mesh with_core = {0};
   double start = mesh_clock();
-  hexcon_status status = check_sphere(context, s);
-  while (!status && !is_enough(&e, &best))
-    status = try_taste(context, s, &tastes[e.taste_count], options->threads, &e, &best);
+  hexcon_status status = HEXCON_OK;
+  while (!status && !is_enough(p, &e, &best))
+    status = try_taste(context, s, p, options->threads, &e, &best);
   mesh_note_seconds(mesh, "sheets", start);
   bool late = status == HEXCON_OUT_OF_TIME;
   status = mesh_settle(context, status, best.mesh.points != NULL, mesh);
-  if (!status && !late && !is_good(&best))
+  if (!status && !late && !p->rough && !is_good(&best))
     status = try_cores(context, s, options, &best, &with_core, mesh);
   if (!status && !best.mesh.points && !with_core.mesh.points)
     status = fail(context, s, &e.smallest, with_core.core_count > 0);
@@ -229,4 +234,27 @@ hexcon_status mesh_sheets(hexcon_context *context, const surface *s,
   filled_mesh_free(context, &with_core.mesh);
   layered_core_free(context, &e.smallest);
   return status;
+}
+
+/* ----------------------------------------------------------------------------------------- handles
+ */
+
+static hexcon_status fill_roughly(hexcon_context *context, const surface *s,
+                                  const hexcon_mesh_options *options, hexcon_mesh *mesh) {
+  return fill_ball(context, s, &little_patience, options, mesh);
+}
+
+/** Cut them; the ball that is left may be a sweep, which has its places at once. */
+static hexcon_status fill_with_handles(hexcon_context *context, const surface *s,
+                                       const hexcon_mesh_options *options, hexcon_mesh *mesh) {
+  static const ball_method methods[] = {{mesh_swept, "is swept", false},
+                                        {fill_roughly, "is filled by sheets", false},
+                                        {mesh_sheets, "is filled by sheets", true}};
+  return mesh_cuts(context, s, options, methods, sizeof methods / sizeof *methods, mesh);
+}
+
+hexcon_status mesh_sheets(hexcon_context *context, const surface *s,
+                          const hexcon_mesh_options *options, hexcon_mesh *mesh) {
+  return surface_is_sphere(s) ? fill_ball(context, s, &full_patience, options, mesh)
+                              : fill_with_handles(context, s, options, mesh);
 }
