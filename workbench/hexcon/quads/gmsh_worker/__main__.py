@@ -50,7 +50,7 @@ def _made(row, solid, job, link):
     cavities = 0 if row.cavities else cad.count_shells(solid) - 1
     if cavities:
         raise WorkerFault(row.refusal, f"the solid has cavities, {cavities} in number")
-    module, function = row.maker.split(".")
+    module, _, function = row.maker.rpartition(".")
     make = getattr(importlib.import_module(f".{module}", __package__), function)
     offered = {"method": row.name, "care": job["care"]}
     return make(solid, job["size"], link=link, **{name: offered[name] for name in row.takes})

@@ -17,7 +17,7 @@ class Carrier:
     """A surface or a curve without its border.
 
     kind     "Plane" (origin, axis: normal), "Cylinder" (origin, axis, radius), "Sphere" (origin: centre, radius),
-             "Cone" (origin: apex, axis, slope: radius / height, one of its two nappes or both),
+             "Cone" (origin: apex, axis into the half that counts, slope: radius / height),
              "Torus" (origin, axis, radius, minor); "Line" (origin, axis), "Circle" (origin, axis, radius);
              "other": asks gmsh
     origin   (3,);  axis: (3,) unit;  radius, minor, slope: floats
@@ -100,9 +100,12 @@ def _cone(face):
     here, there = ((a - b) @ across) / 2, ((c - d) @ across) / 2
     if abs(there - here) < 1e-12:
         return None
-    height = np.linalg.norm(high - low)
-    return {"origin": low - here / (there - here) * (high - low), "axis": _unit(high - low),
-            "slope": abs(there - here) / height}
+    apex = low - here / (there - here) * (high - low)
+    bounds = np.array(gmsh.model.getParametrizationBounds(2, face))
+    middle = _values(face, bounds.mean(0))[0]
+    axis = _unit(high - low)
+    return {"origin": apex, "axis": axis if (middle - apex) @ axis > 0.0 else -axis,
+            "slope": abs(there - here) / np.linalg.norm(high - low)}
 
 
 # O + r cos v (cos u X + sin u Y) + r sin v Z
@@ -158,11 +161,10 @@ def _onto_sphere(c, p):
 
 
 def _onto_cone(c, p):
-    z, e = _parts(c, p)
-    side = np.where(z >= 0.0, 1.0, -1.0)[:, None]
-    ruling = _unit(side * c.axis + c.slope * e)
+    _, e = _parts(c, p)
+    ruling = _unit(c.axis + c.slope * e)
     along = np.maximum(((p - c.origin) * ruling).sum(1), 0.0)[:, None]
-    return c.origin + along * ruling, _unit(e - c.slope * side * c.axis)
+    return c.origin + along * ruling, _unit(e - c.slope * c.axis)
 
 
 def _onto_torus(c, p):

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a grid's surface must keep of the solid before it is handed on: faces, edges, volume, area.
+
+That its points lie on their faces is measured by nearness.py, as for every surface method.
+"""
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from .tessellation import on_segments
+
+MOST_VOLUME = 0.05      # part by which volume and area may differ from the CAD's: chords cut round faces
+MOST_CHORD = 0.6        # of the size: how far a CAD edge may be from the mesh's edges
+TOLD_CHORD = 0.25       # and from which on it is told
+
+
+@dataclass(frozen=True)
+class Kept:
+    """volume, area: relative to the CAD's, less 1; chord: greatest distance of a curve from its mesh edges, in sizes;
+    curve: which; lost: CAD faces that own no quad."""
+
+    volume: float
+    area: float
+    chord: float
+    curve: int
+    lost: list
+
+    @property
+    def faults(self):
+        """In words; empty where the surface may be handed on."""
+        found = [f"the {name} is {100 * value:+.1f} % off" for name, value in (("volume", self.volume),
+                                                                             ("area", self.area))
+                 if not abs(value) <= MOST_VOLUME]
+        if not self.chord <= MOST_CHORD:
+            found.append(f"curve {self.curve} is cut by {self.chord:.2f} sizes")
+        return found
+
+
+def kept(points, mesh, faces, features, chains, h):
+    """Kept of a captured mesh with its points in place.
+
+    faces (n,): CAD face of each quad; chains: of Sliding; h: size of its elements. Linear.
+    """
+    quads, cad = points[mesh.quads], features.cad
+    splits = (quads[:, [0, 1, 2]], quads[:, [0, 2, 3]], quads[:, [0, 1, 3]], quads[:, [1, 2, 3]])
+    normals = [np.cross(t[:, 1] - t[:, 0], t[:, 2] - t[:, 0]) for t in splits]
+    centre = points[mesh.quads].mean((0, 1))
+    # a bilinear quad's volume is the mean of its two ways to be two triangles
+    volume = sum(((t[:, 0] - centre) * n).sum() for t, n in zip(splits, normals)) / 12.0
+    area = sum(np.linalg.norm(n, axis=1).sum() for n in normals) / 4.0
+    cuts = [_chord(curve, points[chain]) / h for curve, chain in zip(features.curves, chains)]
+    worst = int(np.argmax(cuts)) if cuts else -1
+    return Kept(volume / cad.volume - 1.0, area / sum(cad.solid.area(f) for f in cad.solid.faces) - 1.0,
+                float(cuts[worst]) if cuts else 0.0, worst, sorted(set(cad.solid.faces) - set(faces.tolist())))
+
+
+def _chord(curve, line):
+    """Greatest distance of a curve's samples from the edges of the mesh's line (k,3) along it."""
+    middles = cKDTree((line[:-1] + line[1:]) / 2.0)
+    near = middles.query(curve.samples, min(3, len(line) - 1))[1].reshape(len(curve.samples), -1)
+    gaps = [np.linalg.norm(on_segments(curve.samples, line[k], line[k + 1])[0] - curve.samples, axis=1) for k in near.T]
+    return float(np.min(gaps, axis=0).max())

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One try of the grid: cells laid over the solid, its features taken up, sheets put in, all points relaxed."""
+from dataclasses import dataclass, field
+
+import numpy as np
+
+import hexcon_native as hn
+
+from .axes import axes_of
+from .captured import NotCaptured
+from .capture import capture
+from .cells import cells
+from .fullness import fullness
+from .gate import Kept, kept
+from .hex_neighbours import HexNeighbours
+from .placement import placed
+from .planes import grid_hexes, planes_of
+from .sheet_plan import sheeted
+from .sheets import Pinched
+from .sliding import Sliding
+from .solid_rays import SolidRays
+
+MOST_CELLS = 3_000_000      # of a grid: what fits into a gigabyte
+FINISHED = -0.002           # least scaled Jacobian from which the inside can still be untangled with the boundary held
+
+
+@dataclass
+class Overlay:
+    """mesh: the CapturedMesh before its points were placed; points (P,3): in place; faces (n,): CAD face of each quad;
+    quality: hexcon_native.Quality; certified: bool; kept: gate.Kept; tells: what was done, for the notes."""
+
+    mesh: object
+    points: np.ndarray
+    faces: np.ndarray
+    quality: object
+    certified: bool
+    kept: Kept
+    tells: dict = field(default_factory=dict)
+
+    @property
+    def good(self):
+        """Whether it may be handed on."""
+        return self.certified and not self.kept.faults
+
+
+def overlay(features, h, report=lambda stage, fraction: None):
+    """The Overlay of elements of size h. Raises NotCaptured where cells or paths do not fit the solid.
+
+    features: Features of the solid; report(stage, fraction)
+    Linear in the cells, but for sorting.
+    """
+    mesh, tells = _captured(features, h, report)
+    report("sheets", 0.0)
+    try:
+        mesh, count = sheeted(mesh, features)
+    except Pinched as fault:
+        raise NotCaptured("sheet", str(fault)) from fault
+    report("relaxation", 0.0)
+    sliding = Sliding(mesh, features)
+    points = sliding.relax(placed(mesh, features, sliding), threads=1)
+    points = _finished(mesh, points)
+    faces = _faces_of_quads(mesh, points, features)
+    return Overlay(mesh, points, faces, hn.quality(points, mesh.hexes),
+                   bool(hn.certify(points, mesh.hexes, mesh.quads).certified),
+                   kept(points, mesh, faces, features, sliding.chains, h), {**tells, "sheets": dict(count)})
+
+
+def _faces_of_quads(mesh, points, features):
+    """(n,) the CAD face that each quad's middle is nearest to, of its patch."""
+    faces = np.empty(len(mesh.quads), int)
+    for p, patch in enumerate(features.patches):
+        rows = np.flatnonzero(mesh.patch == p)
+        faces[rows] = patch.faces_at(points[mesh.quads[rows]].mean(1))
+    return faces
+
+
+def _captured(features, h, report):
+    """(CapturedMesh, what was done): of the first set of cells that the features fit on."""
+    report("cells", 0.0)
+    frame = axes_of(features)
+    points, hexes = _grid(features, frame, h)
+    rays = SolidRays(features.points @ frame.T, features.triangles)
+    neighbours, full = HexNeighbours(hexes), fullness(points @ frame.T, hexes, rays)
+    wanted = features.cad.tessellation.shells, features.handles()
+    fault = NotCaptured("cells", "no set of cells is one body")
+    for found in cells(neighbours, full, wanted[0]):
+        if (found.shells, found.euler) != wanted:
+            fault = NotCaptured("cells", f"{found.shells} closed surfaces of Euler characteristic {found.euler}, not "
+                                f"{wanted[0]} of {wanted[1]}: walls or gaps thinner than the elements")
+            continue
+        report("capture", 0.0)
+        used, packed = np.unique(hexes[found.inside], return_inverse=True)
+        try:
+            return capture(features, points[used], packed.reshape(-1, 8)), {"cells": int(found.inside.sum())}
+        except NotCaptured as error:
+            fault = error
+    raise fault
+
+
+def _grid(features, frame, h):
+    planes = planes_of(features, frame, h)
+    count = np.prod([float(len(p)) for p in planes])
+    if count > MOST_CELLS:
+        raise NotCaptured("size", f"{count:.2g} cells; at most {MOST_CELLS:.2g} are laid")
+    return grid_hexes(planes, frame)
+
+
+def _finished(mesh, points):
+    """Points with the inside improved, the boundary held."""
+    if hn.quality(points, mesh.hexes).min < FINISHED:
+        return points
+    fixed = np.zeros(len(points), bool)
+    fixed[mesh.quads] = True
+    try:
+        return hn.optimize(points, mesh.hexes, fixed, mean_passes=4, threads=1)
+    except hn.HexconError:
+        return points

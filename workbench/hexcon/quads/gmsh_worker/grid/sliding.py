@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What each point of a captured mesh lies on, as the core's relaxation takes it."""
+import math
+
+import numpy as np
+
+import hexcon_native as hn
+
+FREE, STAYS = -1, -2        # of hexcon.h
+
+
+class Sliding:
+    """Corners stay, points of curves and patches slide on them, all others are free.
+
+    mesh: a CapturedMesh; features: its Features
+    chains             list of the vertices of each curve, in order along it
+    carrier_of_point   (P,) rows of carriers: curves first, then patches; FREE, STAYS
+    """
+
+    def __init__(self, mesh, features):
+        self._features = features
+        curves, patches = len(features.curves), len(features.patches)
+        self.chains = [mesh.chain(features, c) for c in range(curves)]
+        self.carrier_of_point = np.full(len(mesh.points), FREE)
+        self.carrier_of_point[mesh.quads] = curves + mesh.patch[:, None]
+        for c, chain in enumerate(self.chains):
+            self.carrier_of_point[chain] = c
+        self.carrier_of_point[mesh.corner_vertex] = STAYS
+        self._hexes, self.corner_vertex = mesh.hexes, mesh.corner_vertex
+        self.carriers = [_of_curve(features, c) for c in range(curves)] + \
+            [_of_patch(features, p, curves) for p in range(patches)]
+
+    def on_patch(self):
+        """(n,) points that slide on patches."""
+        return np.flatnonzero(self.carrier_of_point >= len(self._features.curves))
+
+    def project(self, points):
+        """(P,3) with every point of the boundary on what it slides on, corners at their places."""
+        points = points.copy()
+        points[self.corner_vertex] = self._features.corners
+        return hn.project_points(points, self.carrier_of_point, self.carriers, project=self._others)[0]
+
+    def relax(self, points, **options):
+        """hexcon_native.relax of these points."""
+        return hn.relax(points, self._hexes, self.carrier_of_point, self.carriers, project=self._others, **options)
+
+    def _others(self, points, tags):
+        """Places and directions on curves and patches without a closed form of their own."""
+        places, directions = np.empty_like(points), np.empty_like(points)
+        curves = len(self._features.curves)
+        for tag in np.unique(tags):
+            rows = np.flatnonzero(tags == tag)
+            if tag < curves:
+                places[rows], directions[rows] = self._features.curves[tag].project(points[rows])
+            else:
+                places[rows], directions[rows], _ = self._features.patches[tag - curves].project(points[rows])
+        return places, directions
+
+
+def _of_curve(features, c):
+    curve = features.curves[c]
+    carrier = features.cad.curve_carriers[curve.parts[0][0]]
+    if len(curve.parts) > 1 or carrier.kind == "other":
+        return hn.Carrier("curve", tag=c)
+    return _closed_form(carrier)
+
+
+def _of_patch(features, p, curves):
+    faces = features.patches[p].faces
+    carrier = features.cad.carriers[faces[0]]
+    if len(faces) > 1 or carrier.kind == "other":
+        return hn.Carrier("surface", tag=curves + p)
+    return _closed_form(carrier)
+
+
+def _closed_form(carrier):
+    sizes = (math.atan(carrier.slope),) if carrier.kind == "Cone" else \
+        (carrier.radius, carrier.minor) if carrier.kind == "Torus" else (max(carrier.radius, 1e-300),)
+    return hn.Carrier(carrier.kind.lower(), tuple(carrier.origin), tuple(carrier.axis), sizes=sizes)

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Surface method grid: sizes and features are tried until hexes come out that are certified and good."""
+import time
+from dataclasses import dataclass
+
+import hexcon_native as hn
+
+from ..fault import WorkerFault
+from .captured import NotCaptured
+from .features import EVERY_EDGE, SMOOTH, Cad, Features
+from .overlay import overlay
+
+GOOD = 0.2              # least scaled Jacobian with which nothing else is tried,
+ENOUGH = 0.3            # and above which what counts is the mean
+THIN = 0.45             # smaller parts of the size are tried only where nothing else came out
+BUDGET = 30.0           # seconds of processor time after which no other try is begun
+
+
+@dataclass(frozen=True)
+class Try:
+    """factor: of the size; smooth: see Features; slivers: faces too narrow for it are left out."""
+
+    factor: float
+    smooth: float = SMOOTH
+    slivers: bool = False
+
+    def __str__(self):
+        return f"{self.factor:g} of the size" + (", every edge" if self.smooth < 0.0 else "") + \
+            (", without slivers" if self.slivers else "")
+
+
+TRIES = (Try(1.0), Try(1.0, slivers=True), Try(0.8), Try(0.8, slivers=True), Try(0.64), Try(0.8, EVERY_EDGE),
+         Try(0.5, slivers=True), Try(0.4), Try(0.3))
+
+
+def grid_surface(solid, size, link):
+    """Quads on the solid and hexes inside, of a grid laid over it.
+
+    Returns a dict of points (V,3), quads (n,4), faces (n,), hexes (H,8) and notes. Raises WorkerFault NOT_GRIDDED.
+    """
+    cad = Cad(solid, size)
+    best, faults, known, begun = None, [], {}, time.process_time()
+    for number, one in enumerate(TRIES):
+        if time.process_time() - begun > BUDGET or (best is not None and one.factor < THIN):
+            break
+        features = _features(cad, one, size, known)
+        if features is None:
+            continue
+        try:
+            found = overlay(features, size * one.factor, _reporting(link, number))
+        except (NotCaptured, ValueError, hn.HexconError) as fault:
+            faults.append(f"{one}: {fault}")
+            continue
+        if found.good and (best is None or _rank(found) > _rank(best[0])):
+            best = found, features, one
+        if found.good and found.quality.min > GOOD:
+            break
+        faults.append(f"{one}: {_shortcomings(found)}")
+    if best is None:
+        raise WorkerFault("NOT_GRIDDED", "; ".join(faults))
+    return _surface(*best, faults)
+
+
+def _reporting(link, number):
+    return lambda stage, fraction: link.progress(stage, (number + fraction) / len(TRIES))
+
+
+def _rank(found):
+    return min(found.quality.min, ENOUGH), found.quality.mean
+
+
+def _shortcomings(found):
+    words = [] if found.certified else [f"not certified, least scaled Jacobian {found.quality.min:.3f}"]
+    return ", ".join(words + found.kept.faults) or f"least scaled Jacobian {found.quality.min:.3f}"
+
+
+def _features(cad, one, size, known):
+    """Features of a try, or None where they are those of one before it. known: added to."""
+    soft = frozenset()
+    if one.slivers:
+        soft = frozenset(_features(cad, Try(1.0), size, {}).slivers(size * one.factor))
+        if not soft:
+            return None
+    key = one.smooth, soft
+    if key not in known:
+        known[key] = Features(cad, one.smooth, soft)
+        if one.smooth < 0.0 and len(known[key].curves) == len(Features(cad).curves):
+            return None
+    return known[key]
+
+
+def _surface(found, features, one, faults):
+    mesh, lost = found.mesh, found.kept.lost
+    notes = [f"grid: {len(mesh.hexes)} hexes at {one}; volume {100 * found.kept.volume:+.2f} %, area "
+             f"{100 * found.kept.area:+.2f} %, edges within {found.kept.chord:.2f} of their size",
+             *(f"grid: {fault}" for fault in faults)]
+    if lost:
+        notes.append(f"grid: too small for quads of their own: {', '.join(f'Face{f}' for f in lost[:20])}")
+    joined = {f: patch.faces for patch in features.patches for f in patch.faces}
+    return {"points": found.points, "quads": mesh.quads, "faces": found.faces, "hexes": mesh.hexes, "notes": notes,
+            "joined": joined}
