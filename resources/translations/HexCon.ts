@@ -805,6 +805,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any solid whose features are not much smaller than the elements: a grid of hexes that takes them up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>subdivided quads</source>
         <translation type="unfinished"></translation>
     </message>

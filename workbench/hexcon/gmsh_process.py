@@ -11,11 +11,13 @@ import shutil
 import sys
 import time
 
+import hexcon_native
 from hexcon import answers, child, disk, preferences
 from hexcon.errors import FaultCode, ToolError
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 WORKERS = [os.path.join(HERE, *name) for name in (("quads",), ("tetrahedra",), ("files", "workers"))]   # their packages
+CORE = os.path.dirname(os.path.dirname(os.path.abspath(hexcon_native.__file__)))    # which the grid asks as well
 # HXT's work depends on the order of addresses in memory: with these it is nearly always the same from run to run.
 SAME_MEMORY = {"PYTHONHASHSEED": "0", "MALLOC_MMAP_THRESHOLD_": "1000000000", "MALLOC_TOP_PAD_": "268435456"}
 MOST_FILES = 8 << 30    # bytes in the worker's folder: ten times what the largest surface takes
@@ -94,7 +96,7 @@ def _crashed_in(folder, code):
 
 def _run(python, job_path, folder, worker, limit, timeout, progress):
     """Start, watch, and in any case end the subprocess; a child.Ended."""
-    environment = child.python_environment(python, WORKERS, PYTHONDONTWRITEBYTECODE="1", OMP_NUM_THREADS="1",
+    environment = child.python_environment(python, [*WORKERS, CORE], PYTHONDONTWRITEBYTECODE="1", OMP_NUM_THREADS="1",
                                            **SAME_MEMORY)
     # without news too, so that it can cancel
     look = progress and (lambda: progress(*answers.read_progress(os.path.join(folder, "progress.txt"))))

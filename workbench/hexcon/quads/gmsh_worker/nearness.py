@@ -27,13 +27,17 @@ def distances(solid, mesh, size):
          than the tolerance (files give it to some digits, and CAD programs allow for more), the points that lie on it
          are measured against the edge, or the corner, instead, unless they are more than GAP * size off,
     gap  and the distance to the face, which is the CAD's own fault, is given here (0 elsewhere).
+    mesh["joined"], if it is there, names for a face those that are one smooth face with it: the nearest counts.
     Cost: a projection for each point on each of its faces; further ones for points off them only.
     """
     points = mesh["points"]
     off, gap = np.zeros(len(points)), np.zeros(len(points))
     for face in solid.faces:
         ids = np.unique(mesh["quads"][mesh["faces"] == face])
-        d = np.linalg.norm(solid.project(2, face, points[ids]) - points[ids], axis=1)
+        d = _face_distance(solid, face, points[ids])
+        for other in mesh.get("joined", {}).get(face, ()):
+            bad = d > solid.tolerance
+            d[bad] = np.minimum(d[bad], _face_distance(solid, other, points[ids[bad]]))
         bad = np.flatnonzero((d > solid.tolerance) & (d <= GAP * size))
         if len(bad):
             to_outline = _outline_distance(solid, face, points[ids[bad]])
@@ -42,6 +46,10 @@ def distances(solid, mesh, size):
             d[bad[excused]] = to_outline[excused]
         off[ids] = np.maximum(off[ids], d)
     return off, gap
+
+
+def _face_distance(solid, face, points):
+    return np.linalg.norm(solid.project(2, face, points) - points, axis=1)
 
 
 def _outline_distance(solid, face, points):
