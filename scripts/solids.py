@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CAD files of a folder from solid to certificate: which are certified, how good, and why the others are not.
+
+    PYTHONPATH=.:workbench python3 scripts/solids.py FOLDER [--surface-method auto] [--method auto] [--quads 700]
+                                                   [--limit 60] [--result output/solids.jsonl] [--match PART_OF_NAME]
+
+The size of each is sqrt(area / quads). Every file is meshed in a process of its own, with a limit of processor time. What
+is called certified is judged once more by tests/python/mesh_checker.py, which shares no code with the core. A line of the
+result file is kept: a run that was stopped goes on where it was; remove the file to measure anew.
+"""
+import argparse
+import json
+import os
+import resource
+import statistics
+import subprocess
+import sys
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+ENDINGS = (".step", ".stp", ".brep", ".brp")
+
+
+def measured(path, options):
+    """Figures of one file, in this process."""
+    import hexcon
+    found = {"quads wanted": options.quads}
+    try:
+        size = options.size or (_area(path) / options.quads) ** 0.5
+        found["size"] = size
+        mesh = hexcon.mesh_solid(path, size, surface_method=options.surface_method, method=options.method, threads=1,
+                                 timeout=8.0 * options.limit)
+    except hexcon.HexconError as error:
+        return found | {"code": error.code.name, "message": str(error)[:2000]}
+    return found | _judged(mesh)
+
+
+def _area(path):
+    """Of the surface of the one solid in a file."""
+    import gmsh
+    from hexcon.errors import FaultCode, ToolError
+    gmsh.initialize([], False)
+    try:
+        gmsh.option.setNumber("General.Terminal", 0)
+        gmsh.option.setString("Geometry.OCCTargetUnit", "MM")
+        gmsh.model.occ.importShapes(path, highestDimOnly=False)
+        gmsh.model.occ.synchronize()
+        solids = gmsh.model.getEntities(3)
+        if len(solids) != 1:
+            raise ToolError(f"{path}: {len(solids)} solids; one is needed", FaultCode.BAD_SHAPE)
+        return sum(gmsh.model.occ.getMass(2, tag) for _, tag in gmsh.model.getBoundary(solids, oriented=False))
+    finally:
+        gmsh.finalize()
+
+
+def _judged(mesh):
+    import mesh_checker
+    surface = mesh.surface
+    faults = mesh_checker.faults(mesh.points, mesh.hexes, surface.quads, surface.points)
+    return {"code": "CERTIFIED" if mesh.certificate.certified and not faults else "NOT_CONFIRMED",
+            "message": "; ".join(faults)[:300], "surface": surface.method, "method": mesh.method,
+            "quads": len(surface.quads), "hexes": len(mesh.hexes), "nodes": len(mesh.points), "min": mesh.quality.min,
+            "q05": mesh.quality.q05, "mean": mesh.quality.mean, "notes": list(surface.notes),
+            "log": [str(line) for line in mesh.report.get("log", [])]}
+
+
+def in_its_own_process(path, options):
+    command = [sys.executable, __file__, path, "--one", "--surface-method", options.surface_method, "--method",
+               options.method, "--quads", str(options.quads), "--limit", str(options.limit)]
+    if options.size:
+        command += ["--size", str(options.size)]
+
+    def limit():
+        resource.setrlimit(resource.RLIMIT_CPU, (int(options.limit), int(options.limit) + 5))
+    before = _seconds()
+    done = subprocess.run(command, capture_output=True, text=True, check=False, preexec_fn=limit)
+    found = {"file": os.path.basename(path), "seconds": _seconds() - before}
+    lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
+    if done.returncode in (-9, -24):
+        return found | {"code": "TIME_LIMIT", "message": f"not done in {options.limit:g} processor seconds"}
+    if done.returncode or not lines:
+        return found | {"code": "CRASH", "message": f"status {done.returncode}: {done.stderr.strip()[-300:]}"}
+    return found | json.loads(lines[-1])
+
+
+def _seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def line_of(found):
+    words = f"{found['file']:40.40s} {found['code']:15s} {found['seconds']:6.1f} s"
+    if "hexes" in found:
+        words += "  {surface:12s} {method:9s} {quads:5d} quads {hexes:6d} hexes  {min:.3f} {q05:.3f} {mean:.3f}".format(**found)
+    return words + (" | " + found["message"][:200] if found.get("message") else "")
+
+
+def summary(found):
+    """Lines: how many are certified, medians of those, and what the others are told."""
+    good = [one for one in found if one["code"] == "CERTIFIED"]
+    by_code = {}
+    for one in found:
+        by_code.setdefault(one["code"], []).append(one["file"])
+    words = [f"{len(good)} of {len(found)} certified"]
+    if good:
+        words[0] += ": medians of min {:.2f}, 5 % {:.2f}, mean {:.2f}; {:.0f} hexes, {:.1f} s".format(
+            *(statistics.median(one[name] for one in good) for name in ("min", "q05", "mean", "hexes", "seconds")))
+    return "\n".join(words + [f"  {code}: {len(names)} ({', '.join(names)})" for code, names in sorted(by_code.items())
+                              if code != "CERTIFIED"])
+
+
+def already(path):
+    """file -> what was found, of an earlier run."""
+    if not os.path.exists(path):
+        return {}
+    with open(path, encoding="utf-8") as stream:
+        return {found["file"]: found for found in map(json.loads, stream)}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder")
+    parser.add_argument("--surface-method", default="auto")
+    parser.add_argument("--method", default="auto")
+    parser.add_argument("--quads", type=float, default=700.0)
+    parser.add_argument("--size", type=float, default=0.0, help="in place of --quads")
+    parser.add_argument("--limit", type=float, default=60.0)
+    parser.add_argument("--match", default="")
+    parser.add_argument("--result", default="output/solids.jsonl")
+    parser.add_argument("--one", action="store_true")
+    options = parser.parse_args()
+    sys.path[:0] = [os.path.join(ROOT, "tests", "python")]
+    if options.one:
+        print("\n" + json.dumps(measured(options.folder, options)), flush=True)
+        return
+    os.makedirs(os.path.dirname(options.result) or ".", exist_ok=True)
+    known = already(options.result)
+    names = sorted(n for n in os.listdir(options.folder) if n.lower().endswith(ENDINGS) and options.match in n)
+    for name in names:
+        if name not in known:
+            known[name] = in_its_own_process(os.path.join(options.folder, name), options)
+            with open(options.result, "a", encoding="utf-8") as stream:
+                stream.write(json.dumps(known[name]) + "\n")
+        print(line_of(known[name]), flush=True)
+    print(summary([known[name] for name in names]))
+
+
+if __name__ == "__main__":
+    main()
