@@ -869,6 +869,26 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Grid: the solid's faces, edges and corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grid: which cells are inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grid: taking up edges and corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grid: putting layers in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grid: moving all points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Surface: distance from the solid</source>
         <translation type="unfinished"></translation>
     </message>

@@ -27,20 +27,20 @@ FINISHED = -0.002           # least scaled Jacobian from which the inside can st
 @dataclass
 class Overlay:
     """mesh: the CapturedMesh before its points were placed; points (P,3): in place; faces (n,): CAD face of each quad;
-    quality: hexcon_native.Quality; certified: bool; kept: gate.Kept; tells: what was done, for the notes."""
+    quality, certificate: of hexcon_native; kept: gate.Kept; tells: what was done, for the notes."""
 
     mesh: object
     points: np.ndarray
     faces: np.ndarray
     quality: object
-    certified: bool
+    certificate: object
     kept: Kept
     tells: dict = field(default_factory=dict)
 
     @property
     def good(self):
         """Whether it may be handed on."""
-        return self.certified and not self.kept.faults
+        return self.certificate.certified and not self.kept.faults
 
 
 def overlay(features, h, report=lambda stage, fraction: None):
@@ -55,13 +55,12 @@ def overlay(features, h, report=lambda stage, fraction: None):
         mesh, count = sheeted(mesh, features)
     except Pinched as fault:
         raise NotCaptured("sheet", str(fault)) from fault
-    report("relaxation", 0.0)
+    report("slide", 0.0)
     sliding = Sliding(mesh, features)
     points = sliding.relax(placed(mesh, features, sliding), threads=1)
     points = _finished(mesh, points)
     faces = _faces_of_quads(mesh, points, features)
-    return Overlay(mesh, points, faces, hn.quality(points, mesh.hexes),
-                   bool(hn.certify(points, mesh.hexes, mesh.quads).certified),
+    return Overlay(mesh, points, faces, hn.quality(points, mesh.hexes), hn.certify(points, mesh.hexes, mesh.quads),
                    kept(points, mesh, faces, features, sliding.chains, h), {**tells, "sheets": dict(count)})
 
 

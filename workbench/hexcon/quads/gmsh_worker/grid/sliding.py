@@ -60,7 +60,7 @@ class Sliding:
 def _of_curve(features, c):
     curve = features.curves[c]
     carrier = features.cad.curve_carriers[curve.parts[0][0]]
-    if len(curve.parts) > 1 or carrier.kind == "other":
+    if len(curve.parts) > 1 or not curve.closed or carrier.kind == "other":     # carriers have no ends
         return hn.Carrier("curve", tag=c)
     return _closed_form(carrier)
 

@@ -29,8 +29,8 @@ class Try:
             (", without slivers" if self.slivers else "")
 
 
-TRIES = (Try(1.0), Try(1.0, slivers=True), Try(0.8), Try(0.8, slivers=True), Try(0.64), Try(0.8, EVERY_EDGE),
-         Try(0.5, slivers=True), Try(0.4), Try(0.3))
+TRIES = (Try(1.0, EVERY_EDGE), Try(1.0), Try(1.0, slivers=True), Try(0.8, EVERY_EDGE), Try(0.8), Try(0.8, slivers=True),
+         Try(0.64), Try(0.5, slivers=True), Try(0.4), Try(0.3))
 
 
 def grid_surface(solid, size, link):
@@ -38,6 +38,7 @@ def grid_surface(solid, size, link):
 
     Returns a dict of points (V,3), quads (n,4), faces (n,), hexes (H,8) and notes. Raises WorkerFault NOT_GRIDDED.
     """
+    link.progress("features", 0.0)
     cad = Cad(solid, size)
     best, faults, known, begun = None, [], {}, time.process_time()
     for number, one in enumerate(TRIES):
@@ -70,23 +71,30 @@ def _rank(found):
 
 
 def _shortcomings(found):
-    words = [] if found.certified else [f"not certified, least scaled Jacobian {found.quality.min:.3f}"]
-    return ", ".join(words + found.kept.faults) or f"least scaled Jacobian {found.quality.min:.3f}"
+    proof = found.certificate
+    words = [f"least scaled Jacobian {found.quality.min:.3f}"]
+    if len(proof.nonpositive):
+        words.append(f"{len(proof.nonpositive)} hexes not positive")
+    if not proof.proper:
+        words.append("hexes meet improperly")
+    if not proof.embedded:
+        words.append(f"{len(proof.crossings)} pairs of quads cross")
+    return ", ".join(words + found.kept.faults)
 
 
 def _features(cad, one, size, known):
-    """Features of a try, or None where they are those of one before it. known: added to."""
-    soft = frozenset()
-    if one.slivers:
-        soft = frozenset(_features(cad, Try(1.0), size, {}).slivers(size * one.factor))
-        if not soft:
-            return None
-    key = one.smooth, soft
-    if key not in known:
-        known[key] = Features(cad, one.smooth, soft)
-        if one.smooth < 0.0 and len(known[key].curves) == len(Features(cad).curves):
-            return None
-    return known[key]
+    """Features of a try, or None where they are those of another. known: (smooth, soft) -> Features, added to."""
+    sharp = _known(cad, SMOOTH, frozenset(), known)
+    soft = frozenset(sharp.slivers(size * one.factor)) if one.slivers else frozenset()
+    found = _known(cad, one.smooth, soft, known)
+    same = (one.slivers and not soft) or (one.smooth < 0.0 and len(found.curves) == len(sharp.curves))
+    return None if same else found
+
+
+def _known(cad, smooth, soft, known):
+    if (smooth, soft) not in known:
+        known[smooth, soft] = Features(cad, smooth, soft)
+    return known[smooth, soft]
 
 
 def _surface(found, features, one, faults):
