@@ -4,9 +4,9 @@
     PYTHONPATH=.:workbench python3 scripts/solids.py FOLDER [--surface-method auto] [--method auto] [--quads 700]
                                                    [--limit 60] [--result output/solids.jsonl] [--match PART_OF_NAME]
 
-The size of each is sqrt(area / quads). Every file is meshed in a process of its own, with a limit of processor time. What
-is called certified is judged once more by tests/python/mesh_checker.py, which shares no code with the core. A line of the
-result file is kept: a run that was stopped goes on where it was; remove the file to measure anew.
+The size of each is sqrt(area / quads). Every file is meshed in a process of its own, with a limit of processor time.
+What is called certified is judged once more by tests/python/mesh_checker.py, which shares no code with the core. A line
+of the result file is kept: a run that was stopped goes on where it was; remove the file to measure anew.
 """
 import argparse
 import json
@@ -37,6 +37,7 @@ def measured(path, options):
 def _area(path):
     """Of the surface of the one solid in a file."""
     import gmsh
+
     from hexcon.errors import FaultCode, ToolError
     gmsh.initialize([], False)
     try:
@@ -90,7 +91,8 @@ def _seconds():
 def line_of(found):
     words = f"{found['file']:40.40s} {found['code']:15s} {found['seconds']:6.1f} s"
     if "hexes" in found:
-        words += "  {surface:12s} {method:9s} {quads:5d} quads {hexes:6d} hexes  {min:.3f} {q05:.3f} {mean:.3f}".format(**found)
+        words += "  {surface:12s} {method:9s} {quads:5d} quads {hexes:6d} hexes  {min:.3f} {q05:.3f} {mean:.3f}".format(
+            **found)
     return words + (" | " + found["message"][:200] if found.get("message") else "")
 
 

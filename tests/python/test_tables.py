@@ -275,7 +275,7 @@ def test_surface_methods():
     assert [row.turn for row in tried_by_auto()] == list(range(1, len(tried_by_auto()) + 1))
     codes = {code.name for code in FaultCode}
     for row in SURFACE_METHODS[1:]:
-        module, function = row.maker.split(".")
+        module, _, function = row.maker.rpartition(".")
         tree = ast.parse((WORKER / f"{module}.py").read_text(encoding="utf-8"))
         made = next(node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == function)
         assert [one.arg for one in made.args.args][:2] == ["solid", "size"]

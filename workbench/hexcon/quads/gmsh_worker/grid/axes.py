@@ -49,7 +49,7 @@ def _frames(directions):
 
 
 def _like_the_document(rows):
-    """The frame with each axis next to the document's that it is closest to, so that an aligned frame is the identity."""
+    """The frame, each axis next to the document's that it is closest to: an aligned one is the identity."""
     order = np.abs(rows).argmax(axis=0)
     if sorted(order.tolist()) != [0, 1, 2]:
         order = np.arange(3)

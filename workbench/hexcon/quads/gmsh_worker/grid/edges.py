@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""CAD edges as the grid needs them: where they run, which faces lie left and right, and the angle inside between those."""
+"""CAD edges as the grid needs them: where they run, which faces lie left and right, and the angle inside between."""
 from dataclasses import dataclass
 
 import gmsh

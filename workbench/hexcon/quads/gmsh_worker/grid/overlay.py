@@ -7,8 +7,8 @@ import numpy as np
 import hexcon_native as hn
 
 from .axes import axes_of
-from .captured import NotCaptured
 from .capture import capture
+from .captured import NotCaptured
 from .cells import cells
 from .fullness import fullness
 from .gate import Kept, kept

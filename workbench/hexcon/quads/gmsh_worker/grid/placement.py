@@ -30,7 +30,7 @@ def placed(mesh, features, sliding):
 
 
 def _along(curve, points):
-    """Places on a curve, ascending, for a chain of points whose first and last are its ends (one, where it is closed)."""
+    """Places on a curve, ascending, for a chain of points whose first and last are its ends (one, if it is closed)."""
     s, _ = curve.lengths_of(points)
     first = 0.0
     if curve.closed or curve.start == curve.end:

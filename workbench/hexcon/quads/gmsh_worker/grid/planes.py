@@ -5,7 +5,7 @@ import numpy as np
 
 NEAR = 0.12             # of the size: planes closer than this are one, that with most area
 SMALL = 1.6             # of the size: radius up to which a round face gets a square of cells of its own
-SQUARE = 0.78           # of the radius: half the side of that square, whose cells then are nearly as large as the circle
+SQUARE = 0.78           # of the radius: half the side of that square, which is nearly as large as the circle
 ROOM = 0.3              # of the size or the radius: how far from other planes those of a small round face must be,
 ROOM_MIDDLE = 0.45      # and of the size: the one through the middle of a larger one
 _ALONG = 1e-5           # of the cosine: an axis that is along the grid's
