@@ -13,7 +13,8 @@ BOX = "occ.addBox(0, 0, 0, {}, {}, {})"
 BLIND = "occ.cut([(3, occ.addBox(0, 0, 0, 6, 6, 4))], [(3, occ.addCylinder(3, 3, 1.5, 0, 0, 3, 1.5))])"
 HOLLOW = "occ.cut([(3, occ.addSphere(0, 0, 0, 4))], [(3, occ.addSphere(0.4, 0, 0, 2))])"
 TORUS = "occ.addTorus(0, 0, 0, 5, 2)"
-WEB = ("occ.cut([(3, occ.addBox(0, 0, 0, 8, 6, 5))], [(3, occ.addBox(1, 1, 1, 6, 2, 4)), (3, occ.addBox(1, 4, 1, 6, 1, 4))])")
+WEB = ("occ.cut([(3, occ.addBox(0, 0, 0, 8, 6, 5))], [(3, occ.addBox(1, 1, 1, 6, 2, 4)), "
+       "(3, occ.addBox(1, 4, 1, 6, 1, 4))])")
 
 # name: (solid, size, faces, worst scaled Jacobian, mean, volume)
 SOLIDS = {"box": (BOX.format(3, 2, 4), 1.0, 6, 0.999, 0.999, 24.0),
@@ -40,8 +41,8 @@ def test_solids(tmp_path, name):
 
 def test_corners_and_edges_are_kept(tmp_path):
     """Of a box turned out of the axes, with a corner cut off: every edge is made of edges of the mesh."""
-    build = ("occ.rotate(occ.cut([(3, occ.addBox(0, 0, 0, 4, 4, 4))], [(3, occ.addSphere(4, 4, 4, 2.5))])[0], 0, 0, 0, 1, 2, "
-             "3, 0.7)")
+    build = ("occ.rotate(occ.cut([(3, occ.addBox(0, 0, 0, 4, 4, 4))], [(3, occ.addSphere(4, 4, 4, 2.5))])[0], "
+             "0, 0, 0, 1, 2, 3, 0.7)")
     surface = surface_from_solid(cad_file(build, tmp_path / "solid.brep"), 1.0, "grid")
     ring = np.stack([surface.quads, np.roll(surface.quads, -1, axis=1)], -1).reshape(-1, 2)
     face = dict(zip(map(tuple, ring.tolist()), np.repeat(surface.face_of_quad, 4).tolist()))

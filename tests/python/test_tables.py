@@ -276,7 +276,7 @@ def test_surface_methods():
     codes = {code.name for code in FaultCode}
     for row in SURFACE_METHODS[1:]:
         module, _, function = row.maker.rpartition(".")
-        tree = ast.parse((WORKER / f"{module}.py").read_text(encoding="utf-8"))
+        tree = ast.parse(WORKER.joinpath(*module.split(".")).with_suffix(".py").read_text(encoding="utf-8"))
         made = next(node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == function)
         assert [one.arg for one in made.args.args][:2] == ["solid", "size"]
         assert {"link", *row.takes} <= {one.arg for one in made.args.args}

@@ -26,8 +26,8 @@ class FaultCode(enum.Enum):
                   "at a corner, or round elsewhere than it can be", "CAD faces at fault",
                   "take another surface method, or auto")
     NOT_GRIDDED = ("solid not gridded", "surface method grid found no grid that takes up all of the solid's features "
-                   "and is certified", "CAD faces at fault", "take a smaller size, as the message says, another surface "
-                   "method, or auto")
+                   "and is certified", "CAD faces at fault", "take a smaller size, as the message says, another "
+                   "surface method, or auto")
     NOT_TRANSFINITE = ("solid not transfinite", "a face does not have four sides", "CAD faces",
                        "take another surface method, or auto")
     NOT_ALL_QUAD = ("not all quads", "triangles are left in the surface", "",
