@@ -2,8 +2,8 @@
 """Hexes taken and left, changed here and there until the boundary between them is a manifold.
 
 A point is good if its boundary quads form one disc round it: if the taken hexes round the point hang together through
-faces, and so do the others. (On the sphere that is the point's link both together say, by Jordan's curve theorem, that the
-border between them is one circle.)
+faces, and so do the others. (On the sphere that is the point's link both together say, by Jordan's curve theorem, that
+the border between them is one circle.)
 """
 from collections import deque
 
