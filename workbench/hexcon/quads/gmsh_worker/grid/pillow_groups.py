@@ -9,18 +9,20 @@ from .hex_neighbours import FACES, HexNeighbours
 SWEEPS = 12        # over the faces round a copied point, to find where it goes
 
 
-def pillow_groups(points, hexes, group, depth):
+def pillow_groups(points, hexes, group, depth, outer=()):
     """(points, hexes, parent (H',)) with a layer of hexes inside each group's border; parent: the hex they are part of.
 
     points (P, 3), hexes (H, 8), group (H,) with -1 for no group, depth: part of a hex's height that the layer takes.
     Old points keep their rows and places, new ones follow; old hexes keep their rows and shrink, new ones follow. Faces
-    between a group and anything else (another group, no group; not the mesh's border) get a hex of each group
-    there. Groups that touch themselves in a point or an edge are parted there.
+    between a group and anything else (another group, no group) get a hex of each group there; faces on the mesh's border
+    only if they are among `outer`, rows of HexNeighbours.sides. Groups that touch themselves in a point or an edge are
+    parted there.
     """
     mesh = HexNeighbours(hexes)
     owner = np.append(group, -1)
     rows = np.flatnonzero(mesh.mate >= 0)
     rows = rows[(group[rows // 6] >= 0) & (group[rows // 6] != owner[mesh.mate[rows] // 6])]
+    rows = np.union1d(rows, np.asarray(outer, int))
     part = _parts_round_points(mesh, group)
     corners = (8 * (rows // 6)[:, None] + FACES[rows % 6])            # of each bordering side
     found, copy = np.unique(part[corners], return_inverse=True)
