@@ -6,12 +6,12 @@ _AROUND = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3, indexing="ij"), axis=-1).resha
 
 
 def balanced_levels(shape, wanted, most):
-    """(levels, dropped): for each level the blocks (n, 3) of 2 x 2 x 2 cells that are split; how many levels were left out.
+    """(levels, dropped): for each level the blocks (n, 3) of 2 x 2 x 2 cells that are split; levels left out.
 
     shape   cells of the grid along each axis; level k has 2^k times as many
     wanted  for each level the cells (m, 3) that are to be split, in numbers of that level
     most    hexes in all, about: the finest levels are left out until there are fewer
-    A block of level k > 0 is a cell of level k - 1: all its neighbours, also over edges and corners, are split on that level.
+    A block of level k > 0 is a cell of level k - 1: all its neighbours, also over edges and corners, are split there.
     """
     for count in range(len(wanted), 0, -1):
         levels = _closed(np.asarray(shape), wanted[:count])

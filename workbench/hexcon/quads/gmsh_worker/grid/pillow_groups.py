@@ -14,9 +14,9 @@ def pillow_groups(points, hexes, group, depth, outer=()):
 
     points (P, 3), hexes (H, 8), group (H,) with -1 for no group, depth: part of a hex's height that the layer takes.
     Old points keep their rows and places, new ones follow; old hexes keep their rows and shrink, new ones follow. Faces
-    between a group and anything else (another group, no group) get a hex of each group there; faces on the mesh's border
-    only if they are among `outer`, rows of HexNeighbours.sides. Groups that touch themselves in a point or an edge are
-    parted there.
+    between a group and anything else (another group, no group) get a hex of each group there; faces on the mesh's
+    border only if they are among `outer`, rows of HexNeighbours.sides. Groups that touch themselves in a point or an
+    edge are parted there.
     """
     mesh = HexNeighbours(hexes)
     owner = np.append(group, -1)
@@ -27,13 +27,14 @@ def pillow_groups(points, hexes, group, depth, outer=()):
     corners = (8 * (rows // 6)[:, None] + FACES[rows % 6])            # of each bordering side
     found, copy = np.unique(part[corners], return_inverse=True)
     copy = copy.reshape(-1, 4)
-    moves = _moves(points, mesh, rows, copy, len(found), depth)
+    border = np.setdiff1d(np.flatnonzero((mesh.mate < 0) & np.repeat(group >= 0, 6)), rows)
+    number = np.full(part.max(initial=-1) + 1, -1)
+    number[found] = np.arange(len(found))
+    on_border = number[part[8 * (border // 6)[:, None] + FACES[border % 6]]]
+    moves = _moves(points, mesh, rows, copy, len(found), depth, border, on_border)
     origin = np.empty(len(found), int)
     origin[copy.ravel()] = mesh.sides[rows].ravel()
-    new_id = np.full(part.max(initial=-1) + 1, -1)
-    new_id[found] = len(points) + np.arange(len(found))
-    moved = np.where(group[np.arange(len(part)) // 8] >= 0, new_id[part], -1)
-    shrunk = np.where(moved >= 0, moved, hexes.ravel()).reshape(-1, 8)
+    shrunk = np.where(number[part] >= 0, len(points) + number[part], hexes.ravel()).reshape(-1, 8)
     layer = np.hstack([len(points) + copy, mesh.sides[rows]])
     return (np.vstack([points, points[origin] + moves]), np.vstack([shrunk, layer]),
             np.concatenate([np.arange(len(hexes)), rows // 6]))
@@ -49,24 +50,38 @@ def _parts_round_points(mesh, group):
     return connected_components(graph, directed=False)[1]
 
 
-def _moves(points, mesh, rows, copy, count, depth):
+def _moves(points, mesh, rows, copy, count, depth, border, copy_on_border):
     """(count, 3): for each copied point the way that goes `depth` of their heights into all hexes under its faces.
 
-    By projection on one half-space after the other (Kaczmarz; Agmon 1954), which for faces along axes is exact at once.
+    By projection on one half-space after the other (Agmon, The relaxation method for linear inequalities, 1954), which
+    for faces along axes is exact at once; points on the mesh's border stay on it.
     """
     quads = points[mesh.sides[rows]]
     across = points[mesh.sides[rows ^ 1]].mean(axis=1) - quads.mean(axis=1)
-    normal = -np.cross(quads[:, 2] - quads[:, 0], quads[:, 3] - quads[:, 1])
-    normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
-    wanted = depth * (normal * across).sum(axis=1)
-    at, face = copy.ravel(), np.repeat(np.arange(len(rows)), 4)
+    inward = -_normals(quads)
+    turns = _turns(copy, inward, depth * (inward * across).sum(axis=1))
+    slides = _turns(copy_on_border, _normals(points[mesh.sides[border]]), np.zeros(len(border)))
+    moves = np.zeros((count, 3))
+    for _ in range(SWEEPS):
+        for who, normal, wanted in turns:
+            short = np.maximum(wanted - (normal * moves[who]).sum(axis=1), 0)
+            moves[who] += short[:, None] * normal
+        for who, normal, _ in slides:
+            moves[who] -= (normal * moves[who]).sum(axis=1)[:, None] * normal
+    return moves
+
+
+def _normals(quads):
+    normals = np.cross(quads[:, 2] - quads[:, 0], quads[:, 3] - quads[:, 1])
+    return normals / np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
+
+
+def _turns(copy, normals, wanted):
+    """[(copies, normals, wanted lengths)]: the k-th face of each copy that has one in the k-th; copy (n, 4), -1: none."""
+    at, face = copy.ravel(), np.repeat(np.arange(len(copy)), 4)
+    at, face = at[at >= 0], face[at >= 0]
     order = np.argsort(at, kind="stable")
     at, face = at[order], face[order]
     place = np.arange(len(at)) - np.searchsorted(at, at)
-    moves = np.zeros((count, 3))
-    turns = [(at[place == k], face[place == k]) for k in range(place.max(initial=-1) + 1)]
-    for _ in range(SWEEPS):
-        for who, f in turns:
-            short = np.maximum(wanted[f] - (normal[f] * moves[who]).sum(axis=1), 0)
-            moves[who] += short[:, None] * normal[f]
-    return moves
+    return [(at[place == k], normals[face[place == k]], wanted[face[place == k]])
+            for k in range(place.max(initial=-1) + 1)]

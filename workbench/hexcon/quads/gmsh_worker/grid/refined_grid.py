@@ -3,9 +3,9 @@
 
 After Malone, Sakurai and Benzley, Two-Refinement by Pillowing for Structured Hexahedral Meshes (22nd International
 Meshing Roundtable, 2013): where cells are to be split in two along an axis, each pair of layers gets a pillow just
-inside, which makes four layers of it. Across the axis the pairs reach a cell farther than the cells to be split: there the pillows
-close, and that ring of cells is the transition. One axis after the other, one level after the other. The grid's planes stay where they
-are, and no template is needed: any set of blocks will do.
+inside, which makes four layers of it. Across the axis the pairs reach a cell farther than the cells to be split: there
+the pillows close, and that ring of cells is the transition. One axis after the other, one level after the other. The
+grid's planes stay where they are, and no template is needed: any set of blocks will do.
 """
 import numpy as np
 from scipy.sparse import coo_matrix
@@ -111,11 +111,11 @@ def _mended(points, hexes, exact):
         for _ in range(RINGS):
             touched[hexes[near]] = True
             near = touched[hexes].any(axis=1)
-        held = exact.copy()
+        held = exact | (points == points.min(axis=0)).any(axis=1) | (points == points.max(axis=0)).any(axis=1)
         held[hexes[~near]] = True
         used, packed = np.unique(hexes[near], return_inverse=True)
         points = points.copy()
-        points[used] = hn.optimize(points[used], packed.reshape(-1, 8), held[used], threads=1)
+        points[used] = hn.optimize(points[used], packed.reshape(-1, 8), held[used], target=POOR, threads=1)
     least = hn.quality(points, hexes).min
     if least <= 0:
         raise ValueError(f"a refined grid with a folded hex: least scaled Jacobian {least:.3g}")

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which cells of a tensor grid are too large: for a size field, and to tell a solid's narrow places apart."""
+import numpy as np
+
+LEVELS = 3          # splits at most, one in the other
+APART = {"wall": 1.0, "slot": 1.0, "curves": 0.8, "curve and face": 0.8, "short curve": 0.6, "hole": 1.0}
+"""Cells that must lie between two places, by kind of gap."""
+ON_PLANE = 0.05     # of a cell: how near a place must be to a plane to count as on it
+SLIVER = 0.05       # of the size: gaps narrower than this are left alone
+
+
+def indices(planes, points):
+    """(n, 3) places in numbers of cells: 2.5 is the middle between planes 2 and 3."""
+    return np.stack([np.interp(points[:, k], planes[k], np.arange(len(planes[k]))) for k in range(3)], axis=1)
+
+
+def for_gaps(planes, gaps, kinds, size, levels=LEVELS):
+    """(cells (m, 3) to be split on each level, rows of gaps too narrow to be told apart on the last).
+
+    planes in the frame of the gaps (a Gaps, turned there); kinds: the names of its kinds; size: of the elements wanted
+    Two places are told apart by APART cells between them along some axis, or by one if both are on planes there.
+    """
+    a, b = indices(planes, gaps.a), indices(planes, gaps.b)
+    needed = np.array([APART[name] for name in kinds])[gaps.kind]
+    left = np.flatnonzero(gaps.width > SLIVER * size)
+    wanted = []
+    for level in range(levels):
+        left = left[~_apart(2 ** level * a[left], 2 ** level * b[left], needed[left])]
+        at = 2 ** level * np.vstack([(1 - t) * a[left] + t * b[left] for t in (0, 0.5, 1)])
+        wanted.append(np.unique(np.floor(at).astype(int), axis=0))
+    return wanted, left[~_apart(2 ** levels * a[left], 2 ** levels * b[left], needed[left])]
+
+
+def _apart(a, b, needed):
+    way = np.abs(a - b)
+    on_planes = (np.abs(a - np.rint(a)) < ON_PLANE) & (np.abs(b - np.rint(b)) < ON_PLANE)
+    return ((way >= needed[:, None]) | (on_planes & (way > 1 - 2 * ON_PLANE))).any(axis=1)
+
+
+def for_field(planes, field, levels=LEVELS):
+    """Cells (m, 3) to be split on each level: those with an edge longer than the field (points -> sizes) allows.
+
+    Asked at middles and corners of cells, of all on the first level and of the parts of split ones on the others.
+    """
+    shape = np.array([len(p) - 1 for p in planes])
+    cells = np.stack(np.unravel_index(np.arange(np.prod(shape)), shape), axis=1)
+    wanted = []
+    for level in range(levels):
+        corners = np.stack([_at(planes, (cells + t) / 2 ** level) for t in _PROBES], axis=1)
+        longest = np.ptp(corners, axis=1).max(axis=1)
+        sizes = field(corners.reshape(-1, 3)).reshape(len(cells), len(_PROBES)).min(axis=1)
+        wanted.append(cells[longest > sizes * (1 + 1e-9)])
+        cells = (2 * wanted[-1][:, None] + _HALVES).reshape(-1, 3)
+    return wanted
+
+
+_HALVES = np.stack(np.meshgrid(*[[0, 1]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+_PROBES = np.vstack([_HALVES, [[0.5, 0.5, 0.5]]])
+
+
+def _at(planes, index):
+    return np.stack([np.interp(index[:, k], np.arange(len(planes[k])), planes[k]) for k in range(3)], axis=1)
