@@ -2,9 +2,10 @@
 """CAD curves -> paths of the skin's edges that meet nowhere but in corners, by negotiation.
 
 Every curve takes the cheapest path as if it were alone, at first at hardly any cost for places others use; then those
-in conflict are ripped up and routed again, round after round, while sharing becomes dearer and places that were fought over keep
-a price: McMurchie & Ebeling, PathFinder (FPGA 1995). A path follows its curve by arc length: an edge may not jump
-from one arm of a bend to the other, and a closed curve is a path in the twofold cover, from a vertex to itself one turn on.
+in conflict are ripped up and routed again, round after round, while sharing becomes dearer and places that were fought
+over keep a price: McMurchie & Ebeling, PathFinder (FPGA 1995). A path follows its curve by arc length: an edge may not
+jump from one arm of a bend to the other, and a closed curve is a path in the twofold cover, from an edge to itself one
+turn on. A path has a cost for bends too: a quad with two edges on a curve wants a sheet more.
 """
 import math
 
@@ -20,6 +21,8 @@ REACH = 2.5             # of the local edge length: vertices farther from a curv
 STRAY = 1.6             # a path that goes farther from its curve is none
 ROUNDS = 40
 FIRST_PRICE, DEARER, KEPT = 0.3, 1.35, 0.4     # of sharing: at first, by round; what a fought-over place keeps
+BEND, BEND_CONVEX = 1.5, 0.3    # cost of a quad with two edges on a curve; a convex curve's has a remedy that costs less
+CONVEX = 140.0          # degrees inside
 TURN = math.radians(45)     # by which a curve turns for each of its edges, at most
 DENSE = 8               # samples of a curve for each edge length
 
@@ -43,6 +46,7 @@ class Band:
         keep = np.abs(self.step) <= np.maximum(3.0 * skin.length[h], 0.3 * skin.scale[tail[h]])
         self.h, self.tail, self.head, self.step = (x[keep] for x in (self.h, self.tail, self.head, self.step))
         self.base = self._costs(guess)
+        self._find_bends()
 
     def _near(self):
         """(vertices, arc length of the nearest point of the curve, distance in local edge lengths)."""
@@ -82,7 +86,25 @@ class Band:
                                                skin.scale[skin.half_edges.head[self.h]]))
         turn = self._turning(self.tail, self.head) / (1.2 * TURN)
         back = np.where(self.step < 0, 2.0, 1.0)
-        return np.maximum(length, 0.3) * factor * (1 + 6 * d * d) * (1 + np.minimum(turn, 4) ** 4) * back
+        return np.maximum(length, 0.3) * factor * (1 + 3 * d * d) * (1 + np.minimum(turn, 4) ** 4) * back
+
+    def _find_bends(self):
+        """Pairs of edges that follow one another, with the cost of the bend: `first`, `second` rows of h, `bend`."""
+        skin, m = self.skin, len(self.h)
+        order = np.argsort(self.tail, kind="stable")
+        start = np.searchsorted(self.tail[order], np.arange(len(self.vertices) + 1))
+        count = (start[1:] - start[:-1])[self.head]
+        first = np.repeat(np.arange(m), count)
+        place = np.arange(len(first)) - np.repeat(np.cumsum(count) - count, count)
+        second = order[start[self.head[first]] + place]
+        keep = self.head[second] != self.tail[first]
+        self.first, self.second = first[keep], second[keep]
+        back = skin.turn_of[skin.half_edges.twin[self.h[self.first]]]
+        valence = skin.valence[self.vertices[self.head[self.first]]]
+        left = (back - skin.turn_of[self.h[self.second]]) % valence
+        one = np.minimum(left, valence - left) == 1
+        three = np.maximum(left, valence - left) >= 3
+        self.bend = one * (BEND_CONVEX if self.curve.angle < CONVEX else BEND) + 0.5 * BEND_CONVEX * three
 
     def _turning(self, tail, head):
         """By how much the curve turns over an edge, in radians."""
@@ -244,62 +266,86 @@ class Routes:
         if min(start, goal) < 0:
             return None
         cost[(band.head == start) | (band.tail == goal)] = np.inf
-        path = _shortest(len(band.vertices), band.tail, band.head, cost, start, goal)
-        return None if path is None else band.vertices[path]
+        graph = _EdgeGraph(len(band.h), band.first, band.second, cost[band.first] + band.bend)
+        edges, _ = graph.cheapest(np.flatnonzero(band.tail == start), np.flatnonzero(band.head == goal), cost)
+        return None if edges is None else _without_loops(_vertices(band, edges))
 
     def _loop(self, band, cost, price):
-        """Once round: in two copies of the band, from a vertex in the first to itself in the second."""
-        n = len(band.vertices)
-        if n < 3:
+        """Once round: in two copies of the band, from an edge in the first to itself in the second."""
+        m = len(band.h)
+        if m < 3:
             return None
         wrap = band.s[band.head] - band.s[band.tail]
-        ahead, behind = wrap < -band.curve.length / 2, wrap > band.curve.length / 2
-        if band.corners:
-            starts = [int(band.row_of[self.vertex[band.corners[0]]])]
-            if starts[0] < 0:
-                return None
-        else:
-            starts = self._starts(band, price)
-        level = ~ahead & ~behind
-        tail = np.concatenate([band.tail[level], band.tail[level] + n, band.tail[ahead], band.tail[behind] + n])
-        head = np.concatenate([band.head[level], band.head[level] + n, band.head[ahead] + n, band.head[behind]])
-        costs = np.concatenate([cost[level], cost[level], cost[ahead], cost[behind]])
+        rise = (wrap < -band.curve.length / 2).astype(int) - (wrap > band.curve.length / 2)
+        level = rise[band.second]
+        bend, first, second = [], [], []
+        for layer, rows in ((0, level >= 0), (1, level <= 0)):
+            first.append(band.first[rows] + m * layer)
+            second.append(band.second[rows] + m * (layer + level[rows]))
+            bend.append(band.bend[rows])
+        first, second = np.concatenate(first), np.concatenate(second)
+        graph = _EdgeGraph(2 * m, first, second, np.concatenate([cost, cost])[first] + np.concatenate(bend))
         best, found = np.inf, None
-        for start in starts:
-            path = _shortest(2 * n, tail, head, costs, start, start + n)
-            if path is None or len(set((path % n).tolist())) != len(path) - 1 or len(path) < 4:
+        for starts, goals in self._turns_round(band, cost, rise, price):
+            edges, value = graph.cheapest(starts, goals + m, np.concatenate([cost, cost]))
+            if edges is None or value >= best:
                 continue
-            value = _path_cost(tail, head, costs, path, 2 * n)
-            if value < best:
-                best, found = value, path % n
-        return None if found is None else band.vertices[found]
+            path = _vertices(band, edges % m)
+            path = path if band.corners else path[1:]       # its first edge is its last
+            if len(set(path.tolist())) == len(path) - 1 and len(path) >= 4:
+                best, found = value, path
+        return found
 
-    def _starts(self, band, price):
-        """A good vertex in each quarter of the curve."""
-        v = band.vertices
-        worth = band.gap + price * self.used[v] + self.price[v] + np.where(self.corner[v] >= 0, 1e6, 0.0)
-        quarter = np.minimum((4 * band.s / band.curve.length).astype(int), 3)
-        return [int(rows[np.lexsort((v[rows], worth[rows]))[0]]) for q in range(4)
-                if len(rows := np.flatnonzero(quarter == q))]
-
-
-def _shortest(n, tail, head, cost, start, goal):
-    """Node ids of the cheapest path, or None."""
-    usable = np.isfinite(cost)
-    tail, head, cost = tail[usable], head[usable], cost[usable]
-    order = np.lexsort((head, tail))
-    first = np.concatenate([[0], np.cumsum(np.bincount(tail, minlength=n))])
-    graph = csr_matrix((cost[order], head[order], first), shape=(n, n))
-    far, before = dijkstra(graph, indices=start, return_predecessors=True)
-    if not np.isfinite(far[goal]):
-        return None
-    path = [goal]
-    while path[-1] != start:
-        path.append(int(before[path[-1]]))
-    return np.array(path[::-1])
+    def _turns_round(self, band, cost, rise, price):
+        """[(edges to begin with, to end with)]: those of the corner, or a good edge in each quarter, and itself."""
+        if band.corners:
+            k = int(band.row_of[self.vertex[band.corners[0]]])
+            return [(np.flatnonzero((band.tail == k) & (rise == 0)), np.flatnonzero(band.head == k))] if k >= 0 else []
+        quarter = np.minimum((4 * band.s[band.tail] / band.curve.length).astype(int), 3)
+        usable = np.isfinite(cost) & (rise == 0)
+        return [(rows[one:one + 1], rows[one:one + 1]) for q in range(4)
+                if len(rows := np.flatnonzero(usable & (quarter == q)))
+                for one in [int(np.lexsort((band.h[rows], cost[rows]))[0])]]
 
 
-def _path_cost(tail, head, cost, path, n):
-    keys = tail.astype(np.int64) * n + head
-    order = np.argsort(keys)
-    return float(cost[order[np.searchsorted(keys[order], path[:-1].astype(np.int64) * n + path[1:])]].sum())
+class _EdgeGraph:
+    """Edges as nodes; cost (t,) of going on from edge first to edge second, the first edge's own cost in it."""
+
+    def __init__(self, count, first, second, cost):
+        usable = np.isfinite(cost)
+        first, second, cost = first[usable], second[usable], cost[usable]
+        order = np.lexsort((second, first))
+        start = np.concatenate([[0], np.cumsum(np.bincount(first, minlength=count))])
+        self._graph = csr_matrix((cost[order], second[order], start), shape=(count, count))
+
+    def cheapest(self, starts, goals, own):
+        """(edges of the cheapest path from any start to any goal, cost), or (None, inf); own: costs of edges."""
+        if not len(starts) or not len(goals):
+            return None, np.inf
+        far, before, _ = dijkstra(self._graph, indices=starts, return_predecessors=True, min_only=True)
+        total = far[goals] + own[goals]
+        best = int(total.argmin())
+        if not np.isfinite(total[best]):
+            return None, np.inf
+        path = [int(goals[best])]
+        while before[path[-1]] >= 0:
+            path.append(int(before[path[-1]]))
+        return np.array(path[::-1]), float(total[best])
+
+
+def _vertices(band, edges):
+    return band.vertices[np.concatenate([band.tail[edges[:1]], band.head[edges]])]
+
+
+def _without_loops(path):
+    """A path that meets itself, without what lies between."""
+    out, place = [], {}
+    for v in path.tolist():
+        if v in place:
+            for w in out[place[v] + 1:]:
+                del place[w]
+            del out[place[v] + 1:]
+        else:
+            place[v] = len(out)
+            out.append(v)
+    return np.array(out)

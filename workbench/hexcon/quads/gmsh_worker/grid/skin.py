@@ -34,6 +34,18 @@ class Skin:
         self.centres = p.mean(axis=1)
         self._first = np.argsort(tail, kind="stable")[np.concatenate([[0], np.cumsum(self.valence)[:-1]])]
 
+        self.turn_of = self._turns()
+
+    def _turns(self):
+        """(4 n,) place of each half-edge among those that leave its tail, counter-clockwise."""
+        out = np.zeros(4 * len(self.rows), int)
+        here = self._first
+        for k in range(1, int(self.valence.max())):
+            here = self.half_edges.twin[np.where(here % 4, here - 1, here + 3)]
+            more = k < self.valence
+            out[here[more]] = k
+        return out
+
     def outgoing(self, v):
         """Half-edges that leave vertex v, counter-clockwise seen from outside."""
         first = here = int(self._first[v])
