@@ -53,7 +53,7 @@ class VoxelPatch:
 
 
 class VoxelModel:
-    """Of a set of cubes (i, j, k) whose boundary is a manifold: what the product's Features has, of what capture asks."""
+    """Of a set of cubes (i, j, k) whose boundary is a manifold: of the product's Features what capture asks for."""
 
     def __init__(self, cubes):
         quads = _boundary(cubes)
@@ -101,7 +101,8 @@ class VoxelModel:
                 used |= {frozenset(e) for e in zip(chain, chain[1:])}
                 q, other = left[v, w], left[w, v]
                 turn = np.dot(np.cross(quads[q][1], np.subtract(w, v)), quads[other][1])
-                self.curves.append(VoxelCurve(chain, *sharp[v, w], number[v], number[chain[-1]], 90.0 if turn < 0 else 270.0))
+                angle = 90.0 if turn < 0 else 270.0
+                self.curves.append(VoxelCurve(chain, *sharp[v, w], number[v], number[chain[-1]], angle))
 
 
 def is_manifold(cubes):
@@ -239,7 +240,7 @@ def _corner_faults(mesh, model):
 def euler_of_hexes(hexes):
     """Euler characteristic of the whole complex."""
     lattice = list(np.ndindex(2, 2, 2))
-    place = {(0, 0, 0): 0, (1, 0, 0): 1, (1, 1, 0): 2, (0, 1, 0): 3, (0, 0, 1): 4, (1, 0, 1): 5, (1, 1, 1): 6, (0, 1, 1): 7}
+    place = {(i, j, k): [[0, 1], [3, 2]][j][i] + 4 * k for i, j, k in lattice}
     edges, faces = set(), set()
     for h in hexes.tolist():
         for a in lattice:

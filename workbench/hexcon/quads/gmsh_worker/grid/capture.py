@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The CAD's corners, curves and patches on the boundary of a hex mesh: all of them, each once, or a fault that says which not.
+"""The CAD's corners, curves and patches on the boundary of a hex mesh: each once, or a fault that says which not.
 
 Corners take vertices, curves paths of edges between them, patches what lies between the paths. What is found is
 checked: each patch one piece with the CAD's Euler characteristic.
@@ -20,8 +20,8 @@ TRIES = 6               # placements of corners
 def capture(model, points, hexes):
     """A CapturedMesh of hexes (H, 8) whose boundary lies near the model's faces. Raises NotCaptured.
 
-    Where a corner has more curves than any vertex near it has edges, hexes are put in. Cost: O(H log H), and paths within
-    bands about the curves, times the rounds of negotiation.
+    Where a corner has more curves than any vertex near it has edges, hexes are put in. Cost: O(H log H), and paths
+    within bands about the curves, times the rounds of negotiation.
     """
     skin = Skin(points, hexes)
     guess = guessed_patches(model, skin)
@@ -93,8 +93,8 @@ def _check_nearness(model, skin, bands, paths):
         along = curve.sampled(np.linspace(0, curve.length, 33))
         gap, at = cKDTree(skin.points[path]).query(along)
         if far > STRAY or (gap / skin.scale[path][at]).max() > STRAY + 0.4:
-            raise NotCaptured("curve", f"the path of curve {c} strays {far:.1f} edge lengths from it: smaller elements are "
-                              "needed there", along[16], curves=[c])
+            raise NotCaptured("curve", f"the path of curve {c} strays {far:.1f} edge lengths from it: "
+                              "smaller elements are needed there", along[16], curves=[c])
 
 
 def _captured(model, skin, guess, points, hexes, vertex, paths):
@@ -142,8 +142,9 @@ def _check_topology(model, skin, patch):
     vertices = np.unique(of_half.astype(np.int64) * n + tail) // n
     edges = np.unique(of_half.astype(np.int64) * (2 * len(patch)) + skin.edge_of) // (2 * len(patch))
     size = len(model.patches)
-    euler = np.bincount(vertices, minlength=size) - np.bincount(edges, minlength=size) + np.bincount(patch, minlength=size)
+    vertices, edges, quads = (np.bincount(x, minlength=size) for x in (vertices, edges, patch))
+    euler = vertices - edges + quads
     for p, one in enumerate(model.patches):
         if euler[p] != one.euler:
-            raise NotCaptured("topology", f"patch {p} has Euler characteristic {euler[p]}, not {one.euler}: smaller elements "
-                              "are needed there", skin.centres[patch == p].mean(axis=0), patches=[p])
+            raise NotCaptured("topology", f"patch {p} has Euler characteristic {euler[p]}, not {one.euler}: "
+                              "smaller elements are needed there", skin.centres[patch == p].mean(axis=0), patches=[p])

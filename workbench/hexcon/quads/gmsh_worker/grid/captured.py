@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A hex mesh that knows its CAD: the patch of each boundary quad, the curve of boundary edges, the vertex of each corner."""
+"""A hex mesh that knows its CAD: the patch of each boundary quad, the curve of edges, the vertex of each corner."""
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -29,7 +29,7 @@ def edge_keys(a, b, n):
 
 
 def face_pairs(hexes, n):
-    """(sides (6 H, 4) in the order of FACES, inner (k, 2) rows of sides that are one face, lone (m,) rows of the boundary).
+    """(sides (6 H, 4) in the order of FACES, inner (k, 2) rows of sides that are one face, lone (m,) of the boundary).
 
     O(H log H). A face is told by its least vertex, the one across from it, and the lesser of the other two.
     """

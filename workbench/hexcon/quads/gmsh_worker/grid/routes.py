@@ -21,7 +21,7 @@ REACH = 2.5             # of the local edge length: vertices farther from a curv
 STRAY = 1.6             # a path that goes farther from its curve is none
 ROUNDS = 40
 FIRST_PRICE, DEARER, KEPT = 0.3, 1.35, 0.4     # of sharing: at first, by round; what a fought-over place keeps
-BEND, BEND_CONVEX = 1.5, 0.3    # cost of a quad with two edges on a curve; a convex curve's has a remedy that costs less
+BEND, BEND_CONVEX = 1.5, 0.3    # cost of a quad with two edges on a curve; on a convex one it has a cheap remedy
 CONVEX = 140.0          # degrees inside
 TURN = math.radians(45)     # by which a curve turns for each of its edges, at most
 DENSE = 8               # samples of a curve for each edge length
@@ -158,8 +158,8 @@ class Routes:
             directions = ends.directions(0.7 * self.skin.scale[v])
             cost, found = embedded(ends, directions, places.port_directions(v), forbidden)
             if not np.isfinite(cost):
-                raise NotCaptured("corner", f"corner {k} has not {len(ends.ends)} free edges, in the order of its curves",
-                                  self.model.corners[k], corners=[k], curves=[c for c, _ in ends.ends])
+                raise NotCaptured("corner", f"corner {k} has not {len(ends.ends)} free edges, in the order of its "
+                                  "curves", self.model.corners[k], corners=[k], curves=[c for c, _ in ends.ends])
             out |= {end: int(h[port]) for end, port in zip(ends.ends, found)}
         return out
 
@@ -243,8 +243,9 @@ class Routes:
 
     def _route(self, c, price):
         band = self.bands[c]
-        cost = self.base[c] * (1 + price * (self.used[band.vertices[band.head]] + self.edge_used[self.skin.edge_of[band.h]]))
-        cost = cost + self.price[band.vertices[band.head]] + self.edge_price[self.skin.edge_of[band.h]]
+        v, edge = band.vertices[band.head], self.skin.edge_of[band.h]
+        cost = self.base[c] * (1 + price * (self.used[v] + self.edge_used[edge]))
+        cost = cost + self.price[v] + self.edge_price[edge]
         mine = self.vertex[band.corners]
         foreign = (self.corner[band.vertices] >= 0) & ~np.isin(band.vertices, mine)
         cost[foreign[band.head] | foreign[band.tail]] = np.inf
@@ -257,7 +258,7 @@ class Routes:
                 cost[at & ~same] += 0.3 + self.port_price.get((c, sign), 0.0)
         path = self._loop(band, cost, price) if band.loop else self._between(band, cost)
         if path is None:
-            raise NotCaptured("curve", f"curve {c} of {band.curve.length:.3g} finds no path: smaller elements are needed there",
+            raise NotCaptured("curve", f"curve {c} of {band.curve.length:.3g} finds no path: it wants smaller elements",
                               band.curve.sampled(np.array([band.curve.length / 2]))[0], curves=[c])
         return path
 

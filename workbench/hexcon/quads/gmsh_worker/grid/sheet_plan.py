@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Which sheets a captured mesh needs, so that no corner of a hex is forced flat.
 
-A sheet lies under patches. Where these meet others at a convex curve it comes out on the other side, as a strip. Over a flat curve it
-goes on under the other patch, so patches joined by flat curves are a *group*. At a concave curve it goes on inside: behind the hexes under
-the other patch, so that three hexes stay about the curve; where those hexes are in the way, it takes the other patch in.
+A sheet lies under patches. Where these meet others at a convex curve it comes out on the other side, as a strip. Over
+a flat curve it goes on under the other patch, so patches joined by flat curves are a *group*. At a concave curve it
+goes on inside, behind the hexes under the other patch, so that three hexes stay about the curve; where those hexes
+are in the way, it takes the other patch in.
 
 Needed is a sheet under a group
  - where an edge inside a patch, or on a flat curve, has not two hexes, or one on a concave curve has one;
@@ -67,7 +68,7 @@ class Groups:
 
 @dataclass
 class Demands:
-    """groups: that need a sheet; across {(curve, patch whose quads have flat corners, or None)}; rings: patches; why."""
+    """groups: that need a sheet; across {(curve, patch with flat corners there, or None)}; rings: patches; why."""
 
     groups: set = field(default_factory=set)
     across: set = field(default_factory=set)
@@ -225,7 +226,8 @@ class _Plan:
             k = next((k for k in range(len(self.model.corners)) if not self._fits(covered, k)), None)
             if k is None:
                 return patches
-            ends = [c for c in self.model.curves if k in (c.start, c.end) and (c.left in patches) != (c.right in patches)]
+            ends = [c for c in self.model.curves
+                    if k in (c.start, c.end) and (c.left in patches) != (c.right in patches)]
             if not ends:
                 return patches
             c = min(ends, key=lambda c: abs(c.angle - 180.0))

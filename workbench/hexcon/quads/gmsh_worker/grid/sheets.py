@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Sheets of hexes put into a mesh that knows its CAD.
 
-One operation does all. Hexes X are pulled back from the rest, and from boundary quads Q of theirs; every face that opens
-gets a hex. Where the sheet comes out at the surface there is a strip of new quads: it belongs to the patch on X's side, a
-curve there stays with the other side's points, and a curve that the sheet crosses goes on over the strip. With X = all
-and Q = some patches this is pillowing (Mitchell & Tautges, Pillowing doublets, 1995).
+One operation does all. Hexes X are pulled back from the rest, and from boundary quads Q of theirs; every face that
+opens gets a hex. Where the sheet comes out at the surface there is a strip of new quads: it belongs to the patch on X's
+side, a curve there stays with the other side's points, and a curve that the sheet crosses goes on over the strip. With
+X = all and Q = some patches this is pillowing (Mitchell & Tautges, Pillowing doublets, 1995).
 """
 import numpy as np
 from scipy.sparse import coo_matrix
@@ -28,8 +28,8 @@ def insert(mesh, pulled, covered, depth=DEPTH):
 
     pulled   (H,) bool: X
     covered  (n,) bool: boundary quads of X that get a hex each
-    Old points keep their ids and places (those of the other side, and of the surface that is covered), old hexes and quads their rows;
-    new ones come after. Raises Pinched, ValueError if a covered quad is not X's. O(H log H).
+    Old points (those of the other side, and of the surface that is covered) keep their ids and places, old hexes and
+    quads their rows; new ones come after. Raises Pinched, ValueError if a covered quad is not X's. O(H log H).
     """
     if (covered & ~pulled[mesh.under]).any():
         raise ValueError("a covered quad belongs to a hex that is not pulled")
@@ -64,8 +64,8 @@ def _opened(mesh, pulled):
 
 
 def _checked_rim(mesh, sheet):
-    """Places 4 f + k of sheet edges at which it comes out at the surface. Raises Pinched where it is no surface with one
-    fan of faces about each of its vertices, or ends anywhere else."""
+    """Places 4 f + k of sheet edges at which it comes out at the surface. Raises Pinched where it is no surface with
+    one fan of faces about each of its vertices, or ends anywhere else."""
     n = len(mesh.points)
     tail, head = sheet.ravel(), np.roll(sheet, -1, axis=1).ravel()
     keys = edge_keys(tail, head, n)
@@ -98,7 +98,7 @@ def _pinched(mesh, words, vertices):
 
 
 def _pulled_points(mesh, pulled, goes, touched, depth):
-    """Where X's copies of the touched points lie: towards the middles of its hexes, or of its quads, where it has some."""
+    """Where X's copies of the touched points lie: towards the middles of its hexes, or of its quads, if it has some."""
     n = len(mesh.points)
     at, weight = np.zeros((n, 3)), np.zeros(n)
 
@@ -133,7 +133,7 @@ def _new_quads(mesh, sheet, rim, copy, moved, covered, goes):
 
 
 def _new_curves(mesh, goes, on_rim, copy, moved):
-    """(edges, curve of each): a curve goes with X where both its quads do, and on over the strip where it crosses the rim."""
+    """(edges, curve of each): a curve goes with X where its quads do, and over the strip where it crosses the rim."""
     edges, curve, n = mesh.curve_edges, mesh.curve, len(mesh.points)
     if not len(edges):
         return edges, curve

@@ -11,8 +11,8 @@ from .captured import HalfEdges, edge_keys, face_pairs
 class Skin:
     """quads (n, 4), under (n,) and vertices (V,) of a hex mesh; inside, vertices are numbered 0 to V - 1.
 
-    points (V, 3); rows (n, 4) the quads in those numbers; scale (V,) mean length of a vertex's edges; normals and centres
-    (n, 3) of quads; edge_of (4 n,) undirected edge of a half-edge. Cost: O(H log H).
+    points (V, 3); rows (n, 4) the quads in those numbers; scale (V,) mean length of a vertex's edges; normals and
+    centres (n, 3) of quads; edge_of (4 n,) undirected edge of a half-edge. Cost: O(H log H).
     """
 
     def __init__(self, points, hexes):
@@ -57,7 +57,7 @@ class Skin:
                 return found
 
     def pieces(self, border):
-        """(n,) number of the piece each quad is in, and how many: quads joined over half-edges that are not `border`."""
+        """(n,) number of the piece each quad is in, and how many: quads joined over half-edges that are no `border`."""
         h = np.flatnonzero(~border)
         n = len(self.rows)
         joined = coo_matrix((np.ones(len(h), bool), (h // 4, self.half_edges.twin[h] // 4)), shape=(n, n))

@@ -2,7 +2,8 @@
 """Boundary vertices with as many edges as a corner has curves.
 
 A sheet round the one hex under a quad makes two quads of it at each of its vertices, so one edge more there. Where that
-hex has more than one quad at the vertex, a sheet under the one quad moves the others back to a new vertex, which has one edge more.
+hex has more than one quad at the vertex, a sheet under the one quad moves the others back to a new vertex, which has
+one edge more.
 """
 import numpy as np
 
@@ -12,7 +13,7 @@ from .skin import Skin
 
 
 def with_valence(points, hexes, wanted):
-    """(points, hexes) with a vertex for each corner that has an edge for each end of a curve there; old points keep their ids.
+    """(points, hexes) with a vertex for each corner that has an edge for each curve's end; old points keep their ids.
 
     wanted: [(vertex, Ends of the corner that is to take it)]. At most five hexes for each edge that is made.
     """
@@ -36,7 +37,8 @@ def _one_more(points, hexes, skin, v, ends):
     if not alone.any():
         covered[quads[min(range(len(quads)), key=lambda k: wish[k])]] = True
         mesh = insert(mesh, pulled, covered)
-        return mesh.points, mesh.hexes, len(points) + int(np.searchsorted(np.sort(skin.quads[covered][0]), skin.vertices[v]))
+        place = np.searchsorted(np.sort(skin.quads[covered][0]), skin.vertices[v])
+        return mesh.points, mesh.hexes, len(points) + int(place)
     pulled[:] = False
     pulled[skin.under[quads[max(np.flatnonzero(alone), key=lambda k: wish[k])]]] = True
     mesh = insert(mesh, pulled, covered)
