@@ -1104,6 +1104,17 @@
     </message>
 </context>
 <context>
+    <name>HexCon_Export</name>
+    <message>
+        <source>Export hex mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the selected hex mesh, with its face groups, into a file for a solver or another program: CalculiX, Nek5000, SPECFEM3D, Exodus, gmsh, VTK ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>HexCon_HexMesh</name>
     <message>
         <source>Hex mesh from quads</source>

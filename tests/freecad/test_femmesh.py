@@ -146,3 +146,22 @@ def test_faults_have_names():
     with pytest.raises(ToolError) as raised:
         femmesh.to_femmesh(mesh)
     assert raised.value.elements == [3]
+
+
+def test_a_mesh_object_is_exported_with_its_whole_boundary(tmp_path, freecad):
+    """Groups of some faces only: the others are on the boundary all the same."""
+    from hexcon import files
+    from hexcon.gui.actions import export_hex_mesh
+    mesh = block(2, 2, 2)
+    mesh.face_of_quad = np.where(mesh.face_of_quad > 2, 0, mesh.face_of_quad)
+    document = freecad.newDocument("Export", hidden=True, temp=True)
+    try:
+        thing = document.addObject("Fem::FemMeshObject", "Mesh")
+        thing.FemMesh = femmesh.to_femmesh(mesh)
+        export_hex_mesh(thing, str(tmp_path / "m.inp"))
+        export_hex_mesh(thing, str(tmp_path / "m.re2"))
+    finally:
+        freecad.closeDocument(document.Name)
+    back = files.read_mesh(tmp_path / "m.inp")
+    assert len(back.quads) == 24 and np.bincount(back.face_of_quad).tolist() == [16, 4, 4]
+    assert (tmp_path / "m.re2").stat().st_size == 84 + 8 * 200 + 8 + 8 + 24 * 64     # all 24 faces

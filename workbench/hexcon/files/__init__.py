@@ -35,7 +35,7 @@ _OWN_FILES = {specfem3d.write: specfem3d.is_own}    # of writers of folders: wha
 MOST_FACES = 10 ** 9    # no CAD face has a higher number; .msh holds 32 bits
 
 __all__ = ["READERS", "SOLVER_ENDINGS", "WRITERS", "check_method_for", "ending_of", "read_hexes", "read_mesh",
-           "shown", "write"]
+           "shown", "with_boundary", "write"]
 
 
 def ending_of(path):
@@ -146,11 +146,12 @@ def read_mesh(path, *, progress=None):
     path = regular_file(path)
     points, hexes, faces = _read(path, progress)
     with naming_faults(path):
-        return _with_boundary(points, hexes, faces)
+        return with_boundary(points, hexes, faces)
 
 
-def _with_boundary(points, hexes, faces):
-    """The mesh of read_mesh."""
+def with_boundary(points, hexes, faces):
+    """The mesh of read_mesh from its arrays; faces: (quads (k,4), CAD face numbers (k,)), of a part of the boundary or
+    all, or None. Raises ToolError(BAD_MESH) for a quad that is no face of any hex."""
     mesh = SimpleNamespace(points=points, hexes=hexes, order=2 if hexes.shape[1] == 20 else 1,
                            quads=None, face_of_quad=None, report={}, certificate=None)
     boundary = elements_of(mesh)

@@ -10,6 +10,7 @@ Each is one undo step and all or nothing: on a HexconError the document is as it
 from hexcon.document.analyses import into_analysis, load_and_solve, show_displacement
 from hexcon.document.checking import CheckReport, check_mesh_object
 from hexcon.document.example_documents import EXAMPLES, open_example
+from hexcon.document.exporting import export_hex_mesh
 from hexcon.document.making_hexes import make_hex_mesh, make_quality_report, mesh_solid_object, update_hex_mesh
 from hexcon.document.making_quads import default_size, import_quad_surface, make_quad_surface, update_quad_surface
 
@@ -24,8 +25,8 @@ from .looking import (
     zoom_to_hex,
 )
 
-__all__ = ["EXAMPLES", "CheckReport", "check_mesh_object", "default_size", "hide_inside", "hide_loops",
-           "import_quad_surface", "inspect_mesh_object", "into_analysis", "load_and_solve", "loops_of_object",
+__all__ = ["EXAMPLES", "CheckReport", "check_mesh_object", "default_size", "export_hex_mesh", "hide_inside",
+           "hide_loops", "import_quad_surface", "inspect_mesh_object", "into_analysis", "load_and_solve", "loops_of_object",
            "make_hex_mesh", "make_quad_surface", "make_quality_report", "mark_hexes", "mesh_solid_object",
            "open_example", "show_displacement", "show_inside", "show_loops", "update_hex_mesh", "update_quad_surface",
            "zoom_to_hex"]

@@ -62,6 +62,28 @@ class IntoAnalysis(CallCommand):
     selected = staticmethod(selected_hex_mesh)
 
 
+class Export(PanelCommand):
+    """Writes the selected mesh into a file."""
+
+    name, icon = "HexCon_Export", "HexCon_Export.svg"
+    menu_text = QT_TRANSLATE_NOOP("HexCon_Export", "Export hex mesh")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "HexCon_Export", "Write the selected hex mesh, with its face groups, into a file for a solver or another "
+        "program: CalculiX, Nek5000, SPECFEM3D, Exodus, gmsh, VTK ...")
+    selected = staticmethod(selected_hex_mesh)
+
+    def Activated(self):
+        if core_is_there():
+            from hexcon.files import WRITERS
+            mesh = self.selected()
+            path, _ = QtGui.QFileDialog.getSaveFileName(
+                FreeCADGui.getMainWindow(), translate("HexCon", self.menu_text), "",
+                translate("HexCon", "Meshes ({endings})").format(
+                    endings=" ".join(f"*{ending}" for ending in WRITERS if ending != ".fcstd")))
+            if path:
+                run_recorded("export_hex_mesh", f"FreeCAD.ActiveDocument.getObject({mesh.Name!r}), {path!r}")
+
+
 class Import(PanelCommand):
     """Reads quads from a file."""
 

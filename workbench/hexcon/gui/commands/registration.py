@@ -8,11 +8,11 @@ import FreeCADGui
 from .examples import EXAMPLES, Examples
 from .place import ROOT
 from .preferences import PreferencesPage
-from .recorded import Import, IntoAnalysis, Quality
+from .recorded import Export, Import, IntoAnalysis, Quality
 from .with_panel import Check, HexMesh, Inspect, Loops, MeshSolid, QuadSurface, Solve
 
 COMMANDS = (Examples(), QuadSurface(), Import(), HexMesh(), MeshSolid(), Check(), Inspect(), Loops(),
-            Quality(), IntoAnalysis(), Solve())
+            Quality(), Export(), IntoAnalysis(), Solve())
 NAMES = [command.name for command in COMMANDS]
 _registered = []
 
