@@ -7,6 +7,8 @@
 # make screenshots the pictures of docs/guide.md, from FreeCAD's window under Xvfb
 # make bench-window how fast large meshes are opened and cut in FreeCAD's window
 # make compare method diced beside gmsh's own hexes on fifteen solids; COMPARE_QUADS: sizes of the surfaces
+# make compare-optimizer  hn.optimize beside gmsh's and hexsmoothing's on scattered hex meshes; OPTIMIZER_MESHES: a folder of
+#              hex meshes (none: made by formula), OPTIMIZER_SMOOTHER: hexsmoothing's innerSmoother
 # make parts   named parts with holes, cavities and notches: meshed, patch-tested and solved in FreeCADCmd
 # make csg     random CSG parts from solid to certificate, from seed CSG_FIRST on; goes on where it was stopped
 # make scoreboard  public quad surfaces filled, beside public hex meshes of them; SCOREBOARD_SURFACES: their folder,
@@ -29,7 +31,7 @@ sources = $(shell git ls-files 'hexcon_native/*.[ch]' 'tests/native/*.[ch]' 'exa
             find hexcon_native tests/native examples -name '*.[ch]')
 native = $(wildcard hexcon_native/src/*/*.c hexcon_native/src/*/*/*.c)
 
-.PHONY: run test build bench bench-window compare parts csg scoreboard measured gallery screenshots setup-run setup-test setup-lint setup-fuzz \
+.PHONY: run test build bench bench-window compare compare-optimizer parts csg scoreboard measured gallery screenshots setup-run setup-test setup-lint setup-fuzz \
   lint lint-c lint-python lint-shell sanitized-build native-test hostile-test python-test fuzz clean
 
 run: setup-run build
@@ -123,6 +125,10 @@ bench-window: setup-test build
 COMPARE_QUADS ?= 200 1000 4000
 compare: setup-run build
 	@PYTHONPATH=.:workbench $(python) tests/python/diced_table.py --quads $(COMPARE_QUADS)
+
+compare-optimizer: setup-run build
+	@PYTHONPATH=.:workbench $(python) tests/python/optimizer_table.py $(OPTIMIZER_MESHES) \
+	  $(if $(OPTIMIZER_SMOOTHER),--smoother $(OPTIMIZER_SMOOTHER))
 
 parts: setup-run build
 	@mkdir -p output
