@@ -2,7 +2,7 @@
 """Solids as files give them: sound, but not exact to the last digit. Needs FreeCAD."""
 import re
 
-from quads_solids import Part, Vector
+from quads_solids import FreeCAD, Part, Vector
 
 _POINT = re.compile(r"#(\d+) = CARTESIAN_POINT\('',\(([^)]*)\)\)")
 _VERTEX = re.compile(r"#(\d+) = VERTEX_POINT\('',#(\d+)\)")
@@ -42,3 +42,13 @@ def cone_askew():
 def notched_block():
     return Part.makeBox(20, 20, 20).cut(Part.makeBox(10, 10, 10, Vector(10, 10, 10))).cut(
         Part.makeCylinder(3, 30, Vector(5, 5, -5)))
+
+
+def tip_with_short_edge(length=0.004):
+    """A bored block that a slanted plane cuts down to an edge of no length to speak of."""
+    plane = Part.makePolygon([Vector(*p) for p in ((20, 20, length), (0, 20, 12), (20, 0, 14), (20, 20, length))])
+    normal = Part.Face(plane).normalAt(0, 0)
+    away = Part.makeBox(100, 100, 100, Vector(-50, -50, 0))
+    away.Placement = FreeCAD.Placement(Vector(20, 20, length), FreeCAD.Rotation(Vector(0, 0, 1), normal)).multiply(
+        away.Placement)
+    return Part.makeBox(20, 20, 20).cut(away).cut(Part.makeCylinder(3, 30, Vector(6, 6, -5)))

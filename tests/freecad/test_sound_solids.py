@@ -30,3 +30,16 @@ def test_corners_too_far_off(tmp_path):
     with pytest.raises(ToolError, match=r"more than 1/20 of the size: Edge1, ") as caught:
         surface_from_solid(path, 6.0)
     assert caught.value.code is FaultCode.OFF_CAD
+
+
+def test_short_edge_is_a_point():
+    """An edge a thousandth of the size: elements that stood on it would be needles."""
+    shape = sound_solids.tip_with_short_edge()
+    short = min(shape.Edges, key=lambda e: e.Length)
+    assert short.Length < 0.0041
+    mesh = hexcon.mesh_solid(shape, 3.0)
+    assert mesh.certificate.certified and mesh.quality.min > 0.1
+    ends = [np.abs(mesh.surface.points - v.Point).max(axis=1).min() for v in short.Vertexes]
+    assert min(ends) < 1e-9 < 1e-3 < max(ends)
+    number = next(k for k, e in enumerate(shape.Edges, 1) if e.isSame(short))
+    assert any(f"taken as points: Edge{number} (0.004 long, at (20, 20, " in note for note in mesh.surface.notes)

@@ -9,6 +9,7 @@ from . import cad, session
 from .fault import WorkerFault
 from .methods import METHOD_TABLE, tried_by_auto
 from .nearness import check_corners, distances
+from .short_edges import short_edges, words
 
 MOST_QUADS = 5e6    # more is a slip of the keyboard, and would fill the memory
 
@@ -22,7 +23,7 @@ def _run(job, link):
         raise WorkerFault("BAD_OPTION", f"size {job['size']:g} would give about {expected:.2g} quads; at most "
                           f"{MOST_QUADS:.2g} are made")
     check_corners(solid, job["size"])
-    mesh, method, notes = _mesh(solid, job, link)
+    mesh, solid, method, notes = _mesh(solid, job, link)
     link.progress("check", 0.0)
     off, gaps = distances(solid, mesh, job["size"])
     return {"points": mesh["points"], "quads": mesh["quads"], "faces": mesh["faces"], "off_cad": off,
@@ -32,13 +33,13 @@ def _run(job, link):
 
 
 def _mesh(solid, job, link):
-    """(mesh, name of the method that made it, notes about the choice)."""
+    """(mesh, the Solid that it is of, name of the method that made it, notes about the choice)."""
     if job["method"] != "auto":
-        return _made(METHOD_TABLE[job["method"]], solid, job, link), job["method"], []
+        return *_made(METHOD_TABLE[job["method"]], solid, job, link), job["method"], []
     notes, rows = [], tried_by_auto()
     for row in rows:
         try:
-            return _made(row, solid, job, link), row.name, notes
+            return *_made(row, solid, job, link), row.name, notes
         except WorkerFault as fault:
             if row is rows[-1] or row.refusal not in ("", fault.code):
                 raise
@@ -46,14 +47,22 @@ def _mesh(solid, job, link):
 
 
 def _made(row, solid, job, link):
-    """The mesh by one method of the table."""
+    """(the mesh by one method of the table, the Solid that it is of)."""
     cavities = 0 if row.cavities else cad.count_shells(solid) - 1
     if cavities:
         raise WorkerFault(row.refusal, f"the solid has cavities, {cavities} in number")
     module, _, function = row.maker.rpartition(".")
     make = getattr(importlib.import_module(f".{module}", __package__), function)
     offered = {"method": row.name, "care": job["care"]}
-    return make(solid, job["size"], link=link, **{name: offered[name] for name in row.takes})
+    short = short_edges(solid, job["size"]) if row.leaves_out else []
+    if short:
+        told = words(solid, short)
+        solid = cad.Solid(solid.volume)
+        solid.leave_out(short)
+    mesh = make(solid, job["size"], link=link, **{name: offered[name] for name in row.takes})
+    if short:
+        mesh["notes"].append(told)
+    return mesh, solid
 
 
 sys.exit(session.run(sys.argv[1], _run))

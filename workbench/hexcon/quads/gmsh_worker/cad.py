@@ -53,6 +53,7 @@ class Solid:
     ends[e]        (vertex at the start of the parametrisation, vertex at the end)
     faces_of[e]    list of face tags, twice the same tag for a seam
     vertex[v]      (3,) float64
+    left_out       {edge that is taken as a point, and is in none of the above: vertex it has become}
     """
 
     def __init__(self, volume):
@@ -61,6 +62,7 @@ class Solid:
         self.boundary = {f: _signed_edges(f) for f in self.faces}
         self.edges = sorted({abs(e) for b in self.boundary.values() for e in b})
         self.vertex = {}
+        self.left_out = {}
         box = self.box()
         self.diagonal = float(np.linalg.norm(box[3:] - box[:3]))
         self.tolerance = 1e-7 * max(1.0, self.diagonal / 1000.0)
@@ -89,6 +91,20 @@ class Solid:
         if dropped:
             self.edges = [e for e in self.edges if e not in dropped]
             self.boundary = {f: [e for e in b if abs(e) not in dropped] for f, b in self.boundary.items()}
+
+    def leave_out(self, edges):
+        """Take edges as points: the vertices at their ends are one from now on. Each face must keep some edge."""
+        for edge in edges:
+            kept, gone = self.ends.pop(edge)
+            del self.faces_of[edge]
+            self.left_out[edge] = kept
+            self.left_out = {e: kept if v == gone else v for e, v in self.left_out.items()}
+            self.ends = {e: tuple(kept if v == gone else v for v in ends) for e, ends in self.ends.items()}
+            if gone != kept:
+                del self.vertex[gone]
+        self.edges = [e for e in self.edges if e not in self.left_out]
+        self.boundary = {f: [e for e in b if abs(e) not in self.left_out] for f, b in self.boundary.items()}
+        self.loops = {f: self._loops(f) for f in self.faces}
 
     def _ends(self, edge):
         tags = [t for _, t in gmsh.model.getBoundary([(1, edge)], combined=False, oriented=False)]
@@ -190,6 +206,11 @@ class Solid:
         """Curve parameters at fractions of the arc length, along the parametrisation."""
         t, arc, _ = self._table(edge)
         return np.interp(fractions * arc[-1], arc, t)
+
+    def fractions(self, edge, parameters):
+        """Fractions of the arc length at curve parameters, along the parametrisation."""
+        t, arc, _ = self._table(edge)
+        return np.interp(parameters, t, arc) / arc[-1]
 
     def edge_on_face(self, signed, fractions, face, side=0):
         """(m,2) surface parameters of edge_points on a face; side 0 or 1 of a seam."""

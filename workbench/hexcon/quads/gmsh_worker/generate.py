@@ -3,27 +3,34 @@
 import gmsh
 import numpy as np
 
+from .coarse_mesh import CoarseMesh
 from .fault import WorkerFault
 
 
+def is_cut(method):
+    """Whether the elements are to be cut about their middles."""
+    return method.startswith("subdivided")
+
+
 def generate(solid, size, method, algorithm=6, even=False, local=None):
-    """A new mesh of the solid's faces in the current model.
+    """A new mesh of the solid's faces in the current model; of methods that cut it, with edges of twice the size.
 
     algorithm  gmsh's number of Mesh.Algorithm
     even       every edge gets an even number of intervals, without which a face cannot be recombined to quads only
-    local      a LocalSize to follow, of the elements before they are subdivided
+    local      a LocalSize to follow
     """
     gmsh.model.mesh.clear()
-    subdivide = method.startswith("subdivided")
-    _options(2.0 * size if subdivide else size, algorithm)
+    _options(2.0 * size if is_cut(method) else size, algorithm)
     if local is not None:
         gmsh.option.setNumber("Mesh.MeshSizeMin", local.least)
         gmsh.option.setNumber("Mesh.LcIntegrationPrecision", 1e-3)     # 1e-9 asks for a size a million times
         gmsh.model.mesh.setSizeCallback(local)
     for face in solid.faces:
         gmsh.model.mesh.removeConstraints([(2, face)])
-    for edge in solid.edges:
+    for edge in (*solid.edges, *solid.left_out):
         gmsh.model.mesh.removeConstraints([(1, edge)])
+    for edge in solid.left_out:
+        gmsh.model.mesh.setTransfiniteCurve(edge, 2)
     if method == "transfinite":
         _make_transfinite(solid, size)
     elif even and method == "blossom":
@@ -36,9 +43,6 @@ def generate(solid, size, method, algorithm=6, even=False, local=None):
     gmsh.model.mesh.generate(2)
     if local is not None:
         gmsh.model.mesh.removeSizeCallback()
-    if subdivide:
-        gmsh.option.setNumber("Mesh.SubdivisionAlgorithm", 1)
-        gmsh.model.mesh.refine()
 
 
 def _options(size, algorithm):
@@ -77,31 +81,17 @@ def _make_transfinite(solid, size):
         gmsh.model.mesh.setTransfiniteSurface(f)
 
 
-def collect(solid):
+def collect(solid, cut):
     """(number of triangles, dict of points, quads, faces) with every point moved onto its CAD entity.
 
-    Raises WorkerFault TOOL_FAILED where a face has no elements.
+    cut: every element about its middle into quads. Raises WorkerFault TOOL_FAILED where a face has no elements.
     """
-    tags, xyz, _ = gmsh.model.mesh.getNodes()
-    points = np.array(xyz).reshape(-1, 3)
-    row = np.full(int(tags.max()) + 1, -1)
-    row[np.asarray(tags, int)] = np.arange(len(tags))
-    for dim, entities in ((1, solid.edges), (2, solid.faces)):
-        for tag in entities:
-            own = row[np.asarray(gmsh.model.mesh.getNodes(dim, tag)[0], int)]
-            points[own] = solid.project(dim, tag, points[own])
-    triangles, quads, faces = 0, [], []
-    for face in solid.faces:
-        if not len(gmsh.model.mesh.getElements(2, face)[0]):     # a small ball, without a word
-            raise WorkerFault("TOOL_FAILED", f"gmsh left Face{face} without elements", [face])
-        for kind, _, nodes in zip(*gmsh.model.mesh.getElements(2, face)):
-            if kind == 3:
-                quads.append(row[np.asarray(nodes, int)].reshape(-1, 4))
-                faces.append(np.full(len(quads[-1]), face))
-            elif kind == 2:
-                triangles += len(nodes) // 3
-    if not quads:
-        return max(triangles, 1), None
-    quads = np.concatenate(quads)
+    mesh = CoarseMesh(solid)
+    if cut:
+        mesh.cut()
+    mesh.on_cad()
+    triangles, quads = (mesh.corners[count] for count in (3, 4))
+    if not len(quads):
+        return max(len(triangles), 1), None
     used, packed = np.unique(quads, return_inverse=True)
-    return triangles, {"points": points[used], "quads": packed.reshape(-1, 4), "faces": np.concatenate(faces)}
+    return len(triangles), {"points": mesh.points[used], "quads": packed.reshape(-1, 4), "faces": mesh.faces[4]}

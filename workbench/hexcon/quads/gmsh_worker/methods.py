@@ -19,6 +19,7 @@ class SurfaceMethod:
     refusal       code of the WorkerFault with which auto goes on to the next; "": any
     refused       how auto tells of that
     cavities      it meshes solids with cavities
+    leaves_out    edges much shorter than the size can be taken as points before
     filled_by     the method of hexes that such quads are made for; "": none in particular
     hexes_a_quad  to be expected for each quad then; None: it depends on the volume, not the quads
     diced_first   auto dices large surfaces of it before anything else: no method makes fewer hexes of them
@@ -33,6 +34,7 @@ class SurfaceMethod:
     refusal: str = ""
     refused: str = ""
     cavities: bool = True
+    leaves_out: bool = False
     filled_by: str = ""
     hexes_a_quad: "float | None" = None
     diced_first: bool = False
@@ -43,18 +45,19 @@ _ROWS = (
                   hexes_a_quad=3),
     SurfaceMethod("sweep", "sweep", "solids that go from one cap to another: prisms, pipes, frusta, wedges, bent bars",
                   "sweep.sweep_surface", turn=1, refusal="NOT_SWEEPABLE", refused="not swept", cavities=False,
-                  filled_by="swept"),
+                  leaves_out=True, filled_by="swept"),
     SurfaceMethod("blocks", "blocks", "round solids, and those with three edges at each corner: quads of a few blocks "
                   "of hexes", "blocks.blocks_surface", turn=2, refusal="NOT_BLOCKS", refused="not of blocks",
-                  cavities=False, filled_by="sheets"),
+                  cavities=False, leaves_out=True, filled_by="sheets"),
     SurfaceMethod("grid", "grid", "any solid whose features are not much smaller than the elements: a grid of hexes that "
                   "takes them up", "grid.tries.grid_surface", filled_by="proposal"),
     # Hexes inside: 3 a quad on triangles, 10 to 22, and worse ones, where there are coarse quads.
     SurfaceMethod("subdivided", "subdivided quads", "any solid: gmsh's quads and triangles, each cut about its middle",
-                  "whole.whole_surface", ("method",), turn=4, filled_by="diced", hexes_a_quad=10),
+                  "whole.whole_surface", ("method",), turn=4, leaves_out=True, filled_by="diced", hexes_a_quad=10),
     SurfaceMethod("subdivided-triangles", "subdivided triangles",
-                  "any solid: gmsh's triangles, each cut into three quads", "triangles.triangle_surface", ("care",), turn=3, refused="no subdivided triangles",
-                  filled_by="diced", hexes_a_quad=3, diced_first=True),
+                  "any solid: gmsh's triangles, each cut into three quads", "triangles.triangle_surface", ("care",),
+                  turn=3, refused="no subdivided triangles", leaves_out=True, filled_by="diced", hexes_a_quad=3,
+                  diced_first=True),
     SurfaceMethod("blossom", "blossom", "any solid, by luck: gmsh's triangles, paired to quads; few and even ones",
                   "whole.whole_surface", ("method",), filled_by="shelling", hexes_a_quad=4),
     SurfaceMethod("transfinite", "transfinite", "solids whose faces all have four sides: grids",

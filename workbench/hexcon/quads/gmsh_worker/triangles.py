@@ -45,7 +45,7 @@ def _tried(solid, size, local, link, name):
         generate(solid, size, METHOD, local=local)
     except Exception as error:      # gmsh raises plain Exception
         raise WorkerFault("TOOL_FAILED", f"gmsh: {error}") from error
-    triangles, mesh = collect(solid)
+    triangles, mesh = collect(solid, cut=True)
     if triangles:
         raise WorkerFault("NOT_ALL_QUAD", f"{triangles} triangles are left")
     return mesh

@@ -3,7 +3,7 @@
 from .colouring import shells_are_even, two_colourable
 from .corner_room import corner_room, room_words
 from .fault import WorkerFault
-from .generate import collect, generate
+from .generate import collect, generate, is_cut
 from .local_size import LocalSize
 
 # gmsh's numbers of Mesh.Algorithm: the frontal one (6) makes the better quads, but leaves triangles at the narrow
@@ -86,7 +86,7 @@ def _tried(solid, size, method, one, link):
         raise
     except Exception as error:      # gmsh raises plain Exception
         raise WorkerFault("TOOL_FAILED", f"gmsh: {error}") from error
-    triangles, mesh = collect(solid)
+    triangles, mesh = collect(solid, is_cut(method))
     if triangles:
         raise WorkerFault("NOT_TRANSFINITE" if method == "transfinite" else "NOT_ALL_QUAD",
                           f"{triangles} triangles are left at every size tried from {size:g} on")
