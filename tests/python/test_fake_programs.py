@@ -105,6 +105,9 @@ def pickled(folder):
 HAND_OVER = 'cp "$here"/* "$folder"/'
 GMSH = {
     "a good surface": (npz(SURFACE), HAND_OVER, None, ""),
+    "its best until then, and hangs": (npz(SURFACE), 'cp "$here"/result.npz "$folder"/best.npz; ' + HANGS, None, ""),
+    "half its best, and hangs": (half(SURFACE), 'cp "$here"/result.npz "$folder"/best.npz; ' + HANGS, "TOOL_FAILED",
+                                 "damaged"),
     "half a file": (half(SURFACE), HAND_OVER, "TOOL_FAILED", "damaged"),
     "an empty file": (text("result.npz", ""), HAND_OVER, "TOOL_FAILED", "damaged"),
     "rubbish": (text("result.npz", bytes(range(256)) * 40), HAND_OVER, "TOOL_FAILED", "damaged"),

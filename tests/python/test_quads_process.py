@@ -75,9 +75,31 @@ def test_step_in_metres_is_read_in_millimetres(tmp_path, box):
     assert surface_from_solid(str(path), 2000.0).points.max() == pytest.approx(10000.0)
 
 
+STEP_WITHOUT_END = """
+import sys
+from gmsh_worker.link import Link
+link = Link(sys.argv[1], avoid=["the first step"])
+link.patience = 0.05
+assert not link.risk("the first step") and link.risk("the second step")
+link.over()
+assert link.risk("a step without end")
+while True:
+    pass
+"""
+
+
+def test_step_without_end(tmp_path):
+    """It ends the worker, is told as what did so, and will be left out."""
+    python = gmsh_process.gmsh_python()
+    environment = child.python_environment(python, gmsh_process.WORKERS)
+    ended = subprocess.run([python, "-c", STEP_WITHOUT_END, str(tmp_path)], env=environment, timeout=60)
+    assert ended.returncode == -signal.SIGPROF
+    assert gmsh_process._crashed_in(str(tmp_path), ended.returncode) == "a step without end"
+
+
 def test_time_limit(box, temporary):
     fault = _fault(box, 1.0, timeout=0.01)
-    assert fault.code is FaultCode.TOOL_TIMEOUT and "0.01" in str(fault)
+    assert fault.code is FaultCode.TOOL_TIMEOUT and "0.01 seconds" in str(fault) and "--timeout" in str(fault)
 
 
 class Stop(Exception):

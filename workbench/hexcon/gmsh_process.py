@@ -63,7 +63,8 @@ def run_job(worker, write_input, job, timeout, progress=None):
     job          dict of what else the worker wants
     timeout      seconds, for the subprocess alone
     progress     callable(stage, fraction); whatever it raises stops the work and comes out here
-    Where gmsh crashes in a step that has an alternative, the work is done again without that step.
+    Where gmsh crashes in a step that has an alternative, or does not come to an end in it, the work is done again without
+    that step. When the time is over, the best result until then is taken, if there is one, and a note says so.
     Raises ToolError TOOL_MISSING, TOOL_TIMEOUT, TOOL_FAILED (with gmsh's last words), or what the worker found.
     """
     python = gmsh_python(os.environ.get("HEXCON_GMSH_PYTHON") or preferences.value("GmshPython") or None)
@@ -75,7 +76,12 @@ def run_job(worker, write_input, job, timeout, progress=None):
         while True:
             with disk.naming(folder, f"work in {folder}"), open(job_path, "w", encoding="utf-8") as stream:
                 json.dump(job, stream)
-            ended = _run(python, job_path, folder, worker, limit, timeout, progress)
+            try:
+                ended = _run(python, job_path, folder, worker, limit, timeout, progress)
+            except ToolError as fault:
+                if fault.code is FaultCode.TOOL_TIMEOUT:
+                    return _best_so_far(folder, worker, timeout)
+                raise
             risk = _crashed_in(folder, ended.status)
             if risk is None or len(job["avoid"]) >= CRASHES:
                 with disk.naming(folder, f"work in {folder}"):
@@ -102,6 +108,18 @@ def _run(python, job_path, folder, worker, limit, timeout, progress):
     look = progress and (lambda: progress(*answers.read_progress(os.path.join(folder, "progress.txt"))))
     return child.run([python, "-m", worker, job_path], "gmsh", folder=folder, environment=environment,
                      timeout=timeout, limit=limit, look=look, most_files=MOST_FILES)
+
+
+def _best_so_far(folder, worker, timeout):
+    """What the worker has left for when its time is over; raises TOOL_TIMEOUT where that is nothing."""
+    path = os.path.join(folder, "best.npz")
+    if not os.path.exists(path):
+        raise ToolError(f"gmsh did not finish within {timeout:g} seconds; give it more time (timeout; on the command line "
+                        "--timeout), or take a larger size", FaultCode.TOOL_TIMEOUT)
+    found = answers.read_arrays(path, "gmsh", answers.RESULTS[worker])
+    found["notes"] = [*found["notes"], f"gmsh was ended after {timeout:g} seconds (timeout; on the command line --timeout): "
+                      "the best until then"]
+    return found
 
 
 def _result(folder, ended, worker):

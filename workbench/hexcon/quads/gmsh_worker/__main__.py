@@ -12,6 +12,8 @@ from .nearness import check_corners, distances
 from .short_edges import short_edges, words
 
 MOST_QUADS = 5e6    # more is a slip of the keyboard, and would fill the memory
+# Processor time for one call of gmsh, which does not always end: a part of all, and seconds for each quad expected.
+PATIENCE, PATIENCE_OF_QUAD = 0.1, 2e-3
 
 
 def _run(job, link):
@@ -22,47 +24,61 @@ def _run(job, link):
     if expected > MOST_QUADS:
         raise WorkerFault("BAD_OPTION", f"size {job['size']:g} would give about {expected:.2g} quads; at most "
                           f"{MOST_QUADS:.2g} are made")
+    link.patience = PATIENCE * job["timeout"] + PATIENCE_OF_QUAD * expected
     check_corners(solid, job["size"])
-    mesh, solid, method, notes = _mesh(solid, job, link)
-    link.progress("check", 0.0)
-    off, gaps = distances(solid, mesh, job["size"])
-    return {"points": mesh["points"], "quads": mesh["quads"], "faces": mesh["faces"], "off_cad": off,
-            "cad_gap": gaps, "tolerance": solid.tolerance, "method": method,
-            "notes": np.array(notes + mesh["notes"], dtype=str),
-            **{name: mesh[name] for name in ("hexes",) if name in mesh}}
+    return _meshed(solid, job, link)
 
 
-def _mesh(solid, job, link):
-    """(mesh, the Solid that it is of, name of the method that made it, notes about the choice)."""
+def _meshed(solid, job, link):
+    """The arrays of the mesh by the method that is asked for, or by the first of auto's that makes one."""
     if job["method"] != "auto":
-        return *_made(METHOD_TABLE[job["method"]], solid, job, link), job["method"], []
+        return _made(METHOD_TABLE[job["method"]], solid, job, link, [])
     notes, rows = [], tried_by_auto()
     for row in rows:
         try:
-            return *_made(row, solid, job, link), row.name, notes
+            return _made(row, solid, job, link, notes)
         except WorkerFault as fault:
             if row is rows[-1] or row.refusal not in ("", fault.code):
                 raise
             notes.append(f"auto: {row.refused}: {fault}")
 
 
-def _made(row, solid, job, link):
-    """(the mesh by one method of the table, the Solid that it is of)."""
+def _made(row, solid, job, link, notes):
+    """The arrays of the mesh by one method of the table; notes: about its choice."""
     cavities = 0 if row.cavities else cad.count_shells(solid) - 1
     if cavities:
         raise WorkerFault(row.refusal, f"the solid has cavities, {cavities} in number")
+    solid, left_out = _without_short_edges(solid, job["size"]) if row.leaves_out else (solid, [])
     module, _, function = row.maker.rpartition(".")
     make = getattr(importlib.import_module(f".{module}", __package__), function)
     offered = {"method": row.name, "care": job["care"]}
-    short = short_edges(solid, job["size"]) if row.leaves_out else []
-    if short:
-        told = words(solid, short)
-        solid = cad.Solid(solid.volume)
-        solid.leave_out(short)
+
+    def arrays(mesh):
+        return _arrays(solid, mesh, job["size"], row.name, notes + mesh["notes"] + left_out)
+    link.kept_as(arrays)
     mesh = make(solid, job["size"], link=link, **{name: offered[name] for name in row.takes})
-    if short:
-        mesh["notes"].append(told)
-    return mesh, solid
+    link.over()
+    link.progress("check", 0.0)
+    return arrays(mesh)
+
+
+def _without_short_edges(solid, size):
+    """(Solid, notes)."""
+    short = short_edges(solid, size)
+    if not short:
+        return solid, []
+    told = words(solid, short)
+    solid = cad.Solid(solid.volume)
+    solid.leave_out(short)
+    return solid, [told]
+
+
+def _arrays(solid, mesh, size, method, notes):
+    """What is handed over: the arrays of result.npz."""
+    off, gaps = distances(solid, mesh, size)
+    return {"points": mesh["points"], "quads": mesh["quads"], "faces": mesh["faces"], "off_cad": off,
+            "cad_gap": gaps, "tolerance": solid.tolerance, "method": method, "notes": np.array(notes, dtype=str),
+            **{name: mesh[name] for name in ("hexes",) if name in mesh}}
 
 
 sys.exit(session.run(sys.argv[1], _run))

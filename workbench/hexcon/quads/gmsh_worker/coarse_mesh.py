@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""gmsh's mesh of a solid's faces as arrays: edges that are left out are taken away, elements cut about their middles."""
+"""gmsh's mesh of a solid's faces as arrays: without edges that are left out, its elements cut about their middles."""
 import gmsh
 import numpy as np
 

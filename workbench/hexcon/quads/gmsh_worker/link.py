@@ -1,15 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the subprocess tells its parent while it works: how far it is, and what may kill it."""
+"""What the subprocess tells its parent while it works: how far it is, what may kill it, and what it has so far."""
 import os
+import signal
+
+import numpy as np
 
 
 class Link:
-    """folder: where the parent reads; avoid: names of risks that killed an earlier run."""
+    """folder: where the parent reads; avoid: names of risks that killed an earlier run.
+
+    patience  seconds of processor time that one risk may take before it ends this process; None: any number
+    """
 
     def __init__(self, folder=None, avoid=()):
-        self.avoid = set(avoid)
-        self._risk_path = folder and os.path.join(folder, "risk.txt")
+        self.avoid, self.patience = set(avoid), None
+        self._folder = folder
         self._stream = folder and open(os.path.join(folder, "progress.txt"), "w", encoding="utf-8")
+        self._arrays = None
 
     def progress(self, stage, fraction):
         """Write a line; stage is one word."""
@@ -18,10 +25,31 @@ class Link:
             self._stream.flush()
 
     def risk(self, name):
-        """Announce a gmsh call that may crash; False if it has done so before and must be left out."""
+        """Announce a gmsh call that may crash, or not end; False if it has done so before and must be left out."""
         if name in self.avoid:
             return False
-        if self._risk_path:
-            with open(self._risk_path, "w", encoding="utf-8") as stream:
+        if self._folder:
+            with open(os.path.join(self._folder, "risk.txt"), "w", encoding="utf-8") as stream:
                 stream.write(name)
+            self._end_after(self.patience or 0.0)
         return True
+
+    def over(self):
+        """No call that was announced is at work any more."""
+        self._end_after(0.0)
+
+    def _end_after(self, seconds):
+        if self._folder and hasattr(signal, "setitimer"):       # not on Windows
+            signal.setitimer(signal.ITIMER_PROF, seconds)
+
+    def kept_as(self, arrays):
+        """arrays: callable(mesh) -> arrays of result.npz for a mesh that keep is called with."""
+        self._arrays = arrays
+
+    def keep(self, mesh):
+        """Leave the best mesh so far in best.npz: the parent takes it where time runs out."""
+        if self._folder and self._arrays:
+            path = os.path.join(self._folder, "best.npz")
+            with open(path + ".part", "wb") as stream:
+                np.savez(stream, **self._arrays(mesh))
+            os.replace(path + ".part", path)

@@ -30,8 +30,8 @@ def short_edges(solid, size):
 
 def words(solid, edges):
     """What is said of edges that are left out; "" for none."""
-    told = [f"Edge{e} ({solid.length(e):.2g} long, at " + "({:.6g}, {:.6g}, {:.6g}))".format(*solid.vertex[solid.ends[e][0]])
-            for e in edges[:10]]
+    told = [f"Edge{e} ({solid.length(e):.2g} long, at "
+            + "({:.6g}, {:.6g}, {:.6g}))".format(*solid.vertex[solid.ends[e][0]]) for e in edges[:10]]
     return f"shorter than {SHORT:g} of the size and taken as points: {', '.join(told)}" if edges else ""
 
 

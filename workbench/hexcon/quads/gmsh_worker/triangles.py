@@ -8,6 +8,8 @@ from .local_size import LocalSize
 METHOD = "subdivided-triangles"
 # What the bounds of the local size are multiplied with, one after the other; None: the same size everywhere.
 SCALES = (None, 2.0, 1.4, 1.0, 0.7)
+# gmsh's numbers of Mesh.Algorithm. The frontal one makes the better triangles, but does not end on sharp cones.
+FRONTAL, MESH_ADAPT = 6, 1
 
 
 def triangle_surface(solid, size, link, care=0):
@@ -32,6 +34,8 @@ def triangle_surface(solid, size, link, care=0):
             best = room, mesh, local
         if room >= GOOD:
             break
+        if best[1] is mesh and room > 0.0:
+            link.keep(_noted(*best, notes, size))
         notes.append(f"{METHOD}: with {name} {room_words(room)}")
     if best is None:
         raise last
@@ -39,10 +43,11 @@ def triangle_surface(solid, size, link, care=0):
 
 
 def _tried(solid, size, local, link, name):
-    if not link.risk(f"{METHOD} with {name}"):
-        raise WorkerFault("TOOL_FAILED", f"gmsh crashed on {METHOD} with {name}")
+    algorithm = FRONTAL if link.risk(f"{METHOD} by algorithm {FRONTAL}") else MESH_ADAPT
+    if algorithm == MESH_ADAPT and not link.risk(f"{METHOD} with {name}"):
+        raise WorkerFault("TOOL_FAILED", f"gmsh crashed, or did not end, on {METHOD} with {name}")
     try:
-        generate(solid, size, METHOD, local=local)
+        generate(solid, size, METHOD, algorithm, local=local)
     except Exception as error:      # gmsh raises plain Exception
         raise WorkerFault("TOOL_FAILED", f"gmsh: {error}") from error
     triangles, mesh = collect(solid, cut=True)
@@ -52,8 +57,7 @@ def _tried(solid, size, local, link, name):
 
 
 def _noted(room, mesh, local, notes, size):
-    if local is not None:
-        notes.append(f"{METHOD}: smaller where the solid is curved or narrow, down to {local.least / 2:.3g} instead of "
-                     f"{size:.4g}: {room_words(room)}")
-    mesh["notes"] = notes + [f"{METHOD}: {len(mesh['quads'])} quads"]
+    smaller = [] if local is None else [f"{METHOD}: smaller where the solid is curved or narrow, down to "
+                                        f"{local.least / 2:.3g} instead of {size:.4g}: {room_words(room)}"]
+    mesh["notes"] = notes + smaller + [f"{METHOD}: {len(mesh['quads'])} quads"]
     return mesh

@@ -43,6 +43,8 @@ def whole_surface(solid, size, method, link):
         worth = two_colourable(mesh["quads"]), min(room, LEAST_ROOM)
         if best is None or worth > best[0]:
             best = worth, room, mesh, one, last
+            if room > 0.0:
+                link.keep(_noted(*best, method, size))
         if worth == (True, LEAST_ROOM):
             break
         last = WorkerFault("ODD_SURFACE", room_words(room) if worth[0] else "two colours were not enough for its points")
@@ -76,7 +78,7 @@ def _tries(method):
 def _tried(solid, size, method, one, link):
     """The mesh of one try; WorkerFault where it is not all quads, or a shell of it odd."""
     if not link.risk(f"{method} by {one}"):
-        raise WorkerFault("TOOL_FAILED", f"gmsh crashed on {method} at every size tried from {size:g} on")
+        raise WorkerFault("TOOL_FAILED", f"gmsh crashed, or did not end, on {method} at every size tried from {size:g} on")
     wanted = size * one.factor
     coarse = 2.0 * wanted if method == "subdivided" else wanted
     local = None if one.scale is None else LocalSize(solid, coarse, one.scale)
