@@ -33,7 +33,9 @@ from .tables import (
     METHOD_TABLE,
     METHODS,
     PAIRING_NUMBERS,
+    MOST_PILLOWS,
     PAIRINGS,
+    PILLOWS,
     STAGES,
     TOPOLOGICAL_METHODS,
     ErrorCode,
@@ -46,7 +48,7 @@ __version__ = _core.version()
 
 __all__ = [
     "CARRIERS", "Carrier", "Certificate", "ErrorCode", "HEX_STAGES", "HexconError", "Loops", "METHODS", "METHOD_CHOICES", "METHOD_TABLE", "Mesh", "Method",
-    "MethodTry", "PAIRINGS", "Quality", "STAGES", "SurfaceReport", "TOPOLOGICAL_METHODS", "certify", "check_options",
+    "MethodTry", "PAIRINGS", "PILLOWS", "Quality", "STAGES", "SurfaceReport", "TOPOLOGICAL_METHODS", "certify", "check_options",
     "check_surface", "colouring", "loops", "mesh", "methods_that", "morph", "optimize", "orient", "pairing", "project_points",
     "quality", "raise_order", "relax",
 ]
@@ -502,7 +504,7 @@ class Mesh:
 
 @_named_memory
 def mesh(points, quads, method="auto", *, hexes=None, order=1, layers=0, threads=0, tetrahedralise=None,
-         pairing="all", core=True, budget=0.0, progress=None, allow_uncertified=False,
+         pairing="all", core=True, pillow="auto", budget=0.0, progress=None, allow_uncertified=False,
          allow_topological=False, certify=True):
     """Fill a closed quad surface with hexes whose boundary is exactly its quads.
 
@@ -529,6 +531,11 @@ def mesh(points, quads, method="auto", *, hexes=None, order=1, layers=0, threads
                        loops do not cross themselves, or your pairs (k, 2) of quads that share an
                        edge, such that no loop crosses itself then
     core               False: do not fill what the layers leave, but refuse (NO_SHEETS)
+    pillow             sheets of hexes under the whole surface, each as many hexes as there are quads, laid as the
+                       last step of a method; all is improved then. "auto": one, where the worst scaled Jacobian is
+                       below 0.4, the surface's corners allow a clearly better one (report["pillow bound"]), and it
+                       comes out so; "never"; or so many, 1 to 16, better or not. report["pillows"] and report["log"]
+                       tell. Topological methods take none
     budget             seconds, kept within a second or 5 %; 0: no limit. The time to prove the mesh at hand
                        is kept back: what is being tried is given up that much earlier, and the
                        best mesh until then is taken
@@ -566,7 +573,8 @@ def mesh(points, quads, method="auto", *, hexes=None, order=1, layers=0, threads
     conforming and their boundary is exact.
     Cost: linear in the hexes made, plus the improvement of what is bad.
     """
-    check_options(method, order=order, layers=layers, threads=threads, pairing=pairing, budget=budget, core=core)
+    check_options(method, order=order, layers=layers, threads=threads, pairing=pairing, budget=budget, core=core,
+                  pillow=pillow)
     if tetrahedralise is not None and not callable(tetrahedralise):
         raise _bad_option("tetrahedralise", tetrahedralise, "a callable (points, triangles) or None")
     mesher = None if tetrahedralise is None else _Mesher(tetrahedralise)
@@ -578,7 +586,8 @@ def mesh(points, quads, method="auto", *, hexes=None, order=1, layers=0, threads
                            PAIRING_NUMBERS[GIVEN if given is not None else pairing], given,
                            *_proposal(hexes, method, len(points)),
                            not _flag("certify", certify), not _flag("core", core),
-                           _flag("allow_topological", allow_topological), float(budget), _progress(progress)))
+                           _flag("allow_topological", allow_topological), _pillow(pillow), float(budget),
+                           _progress(progress)))
 
 
 def _proposal(hexes, method, point_count):
@@ -623,7 +632,17 @@ def _refuse_option(option, method, takes_it):
         raise HexconError(f"{option}: only for method {', '.join(takers)}", ErrorCode.BAD_ARGUMENT)
 
 
-def check_options(method="auto", *, order=1, layers=0, threads=0, pairing="all", budget=0.0, core=True):
+def _pillow(pillow):
+    """The option as the core has it."""
+    if isinstance(pillow, str) and pillow in PILLOWS:
+        return PILLOWS[pillow]
+    if isinstance(pillow, str) or not 1 <= (sheets := _count("pillow", pillow)) <= MOST_PILLOWS:
+        raise _bad_option("pillow", pillow, f"{', '.join(PILLOWS)}, or a number of sheets in 1 .. {MOST_PILLOWS}")
+    return sheets
+
+
+def check_options(method="auto", *, order=1, layers=0, threads=0, pairing="all", budget=0.0, core=True,
+                  pillow="auto"):
     """Raise BAD_ARGUMENT for options that mesh would refuse: for callers with work to do before."""
     if not isinstance(method, str) or method not in METHODS:
         raise HexconError(f"there is no method {_shown(method)}; there are {', '.join(METHODS)}",
@@ -633,6 +652,8 @@ def check_options(method="auto", *, order=1, layers=0, threads=0, pairing="all",
         _refuse_option("boundary layers", method, lambda one: one.layers)
     if not _flag("core", core):
         _refuse_option("to refuse a core", method, lambda one: one.core)
+    if _pillow(pillow) > 0:
+        _refuse_option("a pillow", method, lambda one: one.pillow)
     if isinstance(pairing, str) and pairing not in PAIRINGS:
         raise HexconError(f"there is no pairing {_shown(pairing)}; there are {', '.join(PAIRINGS)}, or an "
                           "array of pairs", ErrorCode.BAD_ARGUMENT)

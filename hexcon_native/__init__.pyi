@@ -19,6 +19,7 @@ CARRIERS: dict[str, tuple[int, int, str]]
 METHODS: dict[str, int]
 TOPOLOGICAL_METHODS: frozenset[str]
 PAIRINGS: dict[str, int]
+PILLOWS: dict[str, int]
 STAGES: dict[str, str]
 HEX_STAGES: dict[str, str]
 METHOD_TABLE: dict[str, Method]
@@ -88,6 +89,7 @@ class Method:
     layers: bool
     core: bool
     pairing: bool
+    pillow: bool
     tetrahedralise: bool
     proposal: bool
     holes: bool
@@ -179,12 +181,13 @@ def mesh(points: ArrayLike, quads: ArrayLike, method: str = ..., *, order: int =
          tetrahedralise: Callable[[NDArray[np.float64], NDArray[np.int32]],
                                   tuple[ArrayLike, ArrayLike] | None] | None = ...,
          hexes: ArrayLike | tuple[ArrayLike, ArrayLike] | None = ...,
-         pairing: str | ArrayLike = ..., core: bool = ..., budget: float = ...,
+         pairing: str | ArrayLike = ..., core: bool = ..., pillow: str | int = ..., budget: float = ...,
          progress: _Progress | None = ...,
          allow_uncertified: bool = ..., allow_topological: bool = ...,
          certify: bool = ...) -> Mesh: ...
 def check_options(method: str = ..., *, order: int = ..., layers: int = ..., threads: int = ...,
-                  pairing: str | ArrayLike = ..., budget: float = ..., core: bool = ...) -> None: ...
+                  pairing: str | ArrayLike = ..., budget: float = ..., core: bool = ...,
+                  pillow: str | int = ...) -> None: ...
 def quality(points: ArrayLike, hexes: ArrayLike) -> Quality: ...
 def certify(points: ArrayLike, hexes: ArrayLike, quads: ArrayLike, *,
             progress: _Progress | None = ...) -> Certificate: ...

@@ -35,7 +35,7 @@ class Method:
     purpose         one line, without its full stop
     told            how a mesh's report is told: see tell
     topological     its meshes are conforming, but some Jacobians are zero or negative: for no solver
-    layers, core, pairing, tetrahedralise, proposal
+    layers, core, pairing, pillow, tetrahedralise, proposal
                     it takes these options of mesh; a proposal is its `hexes`
     holes, cavities it fills such bodies
     odd_colours     it takes points that cannot be coloured black and white along edges
@@ -53,6 +53,7 @@ class Method:
     layers: bool
     core: bool
     pairing: bool
+    pillow: bool
     tetrahedralise: bool
     proposal: bool
     holes: bool
@@ -104,6 +105,12 @@ TOPOLOGICAL_METHODS = frozenset(name for name, method in METHOD_TABLE.items() if
 GIVEN = "given"  # the pairing of those who hand over their own pairs
 PAIRING_NUMBERS = {name: number for number, name in enumerate(_core.pairings())}
 PAIRINGS = {name: number for name, number in PAIRING_NUMBERS.items() if name != GIVEN}
+
+PILLOWS = {"auto": 0, "never": -1}
+"""What the option pillow may be besides a number of sheets, by HEXCON_PILLOW_* in hexcon.h."""
+
+MOST_PILLOWS = 16
+"""HEXCON_PILLOW_MOST."""
 
 STAGES = dict(_core.progress_stages())
 """name: words, of the stages that a progress callback is told of."""

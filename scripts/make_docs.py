@@ -45,8 +45,8 @@ def method_facts():
     """What each takes and fills."""
     def yes(value):
         return "yes" if value else "-"
-    flags = ("layers", "core", "pairing", "tetrahedralise", "proposal", "holes", "cavities", "odd_colours")
-    return table(("method", *(f"`{flag}`" for flag in flags[:5]), "holes", "cavities", "odd colours"),
+    flags = ("layers", "core", "pairing", "pillow", "tetrahedralise", "proposal", "holes", "cavities", "odd_colours")
+    return table(("method", *(f"`{flag}`" for flag in flags[:6]), "holes", "cavities", "odd colours"),
                  [(f"`{name}`", *(yes(getattr(row, flag)) for flag in flags)) for name, row in hn.METHOD_TABLE.items()])
 
 

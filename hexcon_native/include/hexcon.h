@@ -638,6 +638,7 @@ typedef struct hexcon_method_facts {
   bool layers;         /**< takes hexcon_mesh_options.layers */
   bool core;           /**< heeds no_core */
   bool pairing;        /**< takes pairing and pairs */
+  bool pillow;         /**< takes hexcon_mesh_options.pillow above 0 */
   bool tetrahedralise; /**< calls it, where there is one */
   bool proposal;       /**< takes proposal, and needs one, but for auto */
   bool holes;          /**< fills bodies with holes through them */
@@ -699,6 +700,9 @@ typedef struct hexcon_proposal {
   const double *points; /**< [point_count][3] where they are at first; NULL: to be found */
 } hexcon_proposal;
 
+/** Values of hexcon_mesh_options.pillow besides numbers of sheets; and the largest of these. */
+enum { HEXCON_PILLOW_AUTO = 0, HEXCON_PILLOW_NEVER = -1, HEXCON_PILLOW_MOST = 16 };
+
 /** Options of hexcon_mesh_surface; zero means default. */
 typedef struct hexcon_mesh_options {
   hexcon_method method;
@@ -725,6 +729,11 @@ typedef struct hexcon_mesh_options {
   bool allow_topological; /**< topological methods: take a surface that crosses or touches itself
                              too: its hexes overlap, as the certificate says */
   bool no_core;           /**< do not fill what layers leave, but refuse: NO_SHEETS */
+  /** Sheets of hexes under the whole surface, as many hexes each as there are quads, laid as the
+   * last step, and all improved then. HEXCON_PILLOW_AUTO: one where the worst hex is poor and it
+   * makes it clearly better; HEXCON_PILLOW_NEVER; or so many, better or not. Topological methods
+   * take none. */
+  int pillow;
 } hexcon_mesh_options;
 
 /** Result of hexcon_mesh_surface. */

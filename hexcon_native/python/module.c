@@ -403,14 +403,14 @@ static PyObject *mesh(PyObject *module, PyObject *arguments) {
   array_copy points, quads, pairs, hexes, inner;
   Py_ssize_t inner_count;
   int method, order, allow_uncertified, threads, layers, pairing, skip_certificate, no_core,
-      allow_topological;
+      allow_topological, pillow;
   double budget;
   PyObject *callback, *tetrahedralise;
-  if (!PyArg_ParseTuple(arguments, "O&O&iipiiOiO&O&nO&pppdO", copy_points, &points, copy_quads,
+  if (!PyArg_ParseTuple(arguments, "O&O&iipiiOiO&O&nO&pppidO", copy_points, &points, copy_quads,
                         &quads, &method, &order, &allow_uncertified, &threads, &layers,
                         &tetrahedralise, &pairing, copy_pairs, &pairs, copy_any_hexes, &hexes,
                         &inner_count, copy_any_points, &inner, &skip_certificate, &no_core,
-                        &allow_topological, &budget, &callback))
+                        &allow_topological, &pillow, &budget, &callback))
     return NULL;
   run r;
   PyObject *result = NULL;
@@ -432,6 +432,7 @@ static PyObject *mesh(PyObject *module, PyObject *arguments) {
                                    .skip_certificate = skip_certificate != 0,
                                    .no_core = no_core != 0,
                                    .allow_topological = allow_topological != 0,
+                                   .pillow = pillow,
                                    .budget = budget};
     run_release(&r);
     hexcon_status status = hexcon_mesh_surface(r.context, points.items, points.count, quads.items,
@@ -489,7 +490,7 @@ static PyMethodDef methods[] = {
     {"mesh", mesh, METH_VARARGS,
      "mesh(points, quads, method, order, allow_uncertified, threads, layers, tetrahedralise, "
      "pairing, pairs or None, hexes or None, inner_count, inner or None, skip_certificate, "
-     "no_core, allow_topological, budget, progress) -> "
+     "no_core, allow_topological, pillow, budget, progress) -> "
      "dict"},
     {NULL, NULL, 0, NULL}};
 

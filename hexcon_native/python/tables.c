@@ -36,15 +36,15 @@ static PyObject *method_row(size_t row) {
   const hexcon_method_facts *f = hexcon_method_info(row);
   if (!f)
     return NULL;
-  return Py_BuildValue("{s:i,s:s,s:s,s:s,s:s,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:d,s:(NN)}",
-                       "number", (int)f->method, "name", f->name, "label", f->label, "purpose",
-                       f->purpose, "told", f->told, "topological", boolean(f->topological),
-                       "layers", boolean(f->layers), "core", boolean(f->core), "pairing",
-                       boolean(f->pairing), "tetrahedralise", boolean(f->tetrahedralise),
-                       "proposal", boolean(f->proposal), "holes", boolean(f->holes), "cavities",
-                       boolean(f->cavities), "odd_colours", boolean(f->odd_colours), "odd_paths",
-                       boolean(f->odd_paths), "hexes_a_quad", f->hexes_a_quad, "tries",
-                       try_row(&f->tries[0]), try_row(&f->tries[1]));
+  return Py_BuildValue(
+      "{s:i,s:s,s:s,s:s,s:s,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:d,s:(NN)}", "number",
+      (int)f->method, "name", f->name, "label", f->label, "purpose", f->purpose, "told", f->told,
+      "topological", boolean(f->topological), "layers", boolean(f->layers), "core",
+      boolean(f->core), "pairing", boolean(f->pairing), "pillow", boolean(f->pillow),
+      "tetrahedralise", boolean(f->tetrahedralise), "proposal", boolean(f->proposal), "holes",
+      boolean(f->holes), "cavities", boolean(f->cavities), "odd_colours", boolean(f->odd_colours),
+      "odd_paths", boolean(f->odd_paths), "hexes_a_quad", f->hexes_a_quad, "tries",
+      try_row(&f->tries[0]), try_row(&f->tries[1]));
 }
 
 PyObject *table_of_methods(PyObject *module, PyObject *arguments) {

@@ -69,6 +69,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>A sheet of hexes under the whole surface; automatic lays one where it makes a poor worst hex clearly better</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>At least so many layers of plain hexes under the surface; automatic then tries only methods that lay them</source>
         <translation type="unfinished"></translation>
     </message>
@@ -90,6 +94,10 @@
     </message>
     <message>
         <source>Layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pillow</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -421,6 +429,22 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>automatic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>three sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>first order (C3D8)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -645,10 +669,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>automatic</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>tries the methods for solvers, those of fewest hexes first, until one is certified and good, and takes the best</source>
         <translation type="unfinished"></translation>
     </message>
@@ -661,6 +681,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>as proposed[, {pillows} pillow]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>swept</source>
         <translation type="unfinished"></translation>
     </message>
@@ -669,7 +693,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>swept, {cap quads} cap quads × {rings} rings</source>
+        <source>swept, {cap quads} cap quads × {rings} rings[, {pillows} pillow]</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -681,7 +705,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{sheets} sheets[, {cuts} of them cuts][, a core of {core quads} quads]</source>
+        <source>{sheets} sheets[, {cuts} of them cuts][, a core of {core quads} quads][, {pillows} pillow]</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -693,7 +717,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>diced, {coarse triangles} coarse triangles, {coarse quads} coarse quads, {tetrahedra} tetrahedra inside</source>
+        <source>diced, {coarse triangles} coarse triangles, {coarse quads} coarse quads, {tetrahedra} tetrahedra inside[, {pillows} pillow]</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -705,6 +729,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>smallest[, {pillows} pillow]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>shelling</source>
         <translation type="unfinished"></translation>
     </message>
@@ -713,7 +741,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>shelling, {rotations} rotated edges in {shells} shells</source>
+        <source>shelling, {rotations} rotated edges in {shells} shells[, {pillows} pillow]</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -725,7 +753,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>cells, {layers} layers, {tetrahedra} tetrahedra inside</source>
+        <source>cells, {layers} layers, {tetrahedra} tetrahedra inside[, {pillows} pillow]</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1034,6 +1062,10 @@
     </message>
     <message>
         <source>pillows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inside of the pillows</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

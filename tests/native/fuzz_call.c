@@ -599,7 +599,8 @@ static hexcon_status call_mesh(call *c) {
       .pairs = flags & 16 ? NULL : pairs,
       .pair_count = take(o) % 3,
       .skip_certificate = flags & 32,
-      .no_core = flags & 128};
+      .no_core = flags & 128,
+      .pillow = c->in.quad_count % 4 == 0 ? (int)(flags & 3) : 0};
   for (size_t i = 0; i < 4 && options.pairing == HEXCON_PAIRING_GIVEN; i++)
     pairs[i] = take_id(o, c->in.quad_count);
   hexcon_mesh *mesh = NULL;

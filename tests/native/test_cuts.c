@@ -145,7 +145,8 @@ static void labels_are_carried(void **state) {
 /* ----------------------------------------------------------------------------------------- bodies
  */
 
-static const hexcon_mesh_options sheets_alone = {.method = HEXCON_METHOD_SHEETS, .no_core = true};
+static const hexcon_mesh_options sheets_alone = {
+    .method = HEXCON_METHOD_SHEETS, .no_core = true, .pillow = HEXCON_PILLOW_NEVER};
 
 static void expect_hexes(test_mesh mesh, size_t hex_count) {
   test_memory memory = {0};

@@ -351,6 +351,18 @@ static hexcon_status call_mesh_cut_cube(hexcon_context *context, material *m) {
   return mesh_by(context, &m->tunnels, HEXCON_METHOD_SHEETS, 1);
 }
 
+/** Laid, and told of; two sheets. */
+static hexcon_status call_mesh_pillow(hexcon_context *context, material *m) {
+  hexcon_mesh *mesh = NULL;
+  const hexcon_mesh_options options = {.method = HEXCON_METHOD_SWEPT, .pillow = 2, .threads = 1};
+  hexcon_status status = hexcon_mesh_surface(context, m->cube.points, m->cube.surface_point_count,
+                                             m->cube.quads, m->cube.quad_count, &options, &mesh);
+  if (!status)
+    assert_int_equal(hexcon_mesh_hex_count(mesh), 1 + 2 * m->cube.quad_count);
+  hexcon_mesh_free(context, mesh);
+  return status;
+}
+
 /** With dead ends, and cores that are found, but not filled. */
 static hexcon_status call_mesh_no_sheets(hexcon_context *context, material *m) {
   hexcon_mesh *mesh = NULL;
@@ -404,6 +416,7 @@ static const struct {
              {"mesh pyramid", call_mesh_pyramid},
              {"mesh geode-alt", call_mesh_geode_alt},
              {"mesh no sides", call_mesh_no_sides},
+             {"mesh pillow", call_mesh_pillow},
              {"mesh sheets", call_mesh_sheets},
              {"mesh cut ring", call_mesh_cut_ring},
              {"mesh cut cube", call_mesh_cut_cube},

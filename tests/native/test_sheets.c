@@ -7,7 +7,8 @@
 #include "support.h"
 #include "surface/build.h"
 
-static const hexcon_mesh_options sheets = {.method = HEXCON_METHOD_SHEETS};
+static const hexcon_mesh_options sheets = {.method = HEXCON_METHOD_SHEETS,
+                                           .pillow = HEXCON_PILLOW_NEVER};
 static const hexcon_mesh_options sheets_alone = {.method = HEXCON_METHOD_SHEETS, .no_core = true};
 
 static void expect_sheets(test_mesh mesh, size_t hex_count) {

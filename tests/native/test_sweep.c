@@ -123,7 +123,7 @@ static hexcon_status refusal(test_mesh mesh) {
   hexcon_context *context = hexcon_context_new();
   hexcon_mesh *made = NULL;
   const int32_t *ids;
-  hexcon_mesh_options options = {.method = HEXCON_METHOD_SWEPT};
+  hexcon_mesh_options options = {.method = HEXCON_METHOD_SWEPT, .pillow = HEXCON_PILLOW_NEVER};
   hexcon_status status = hexcon_mesh_surface(context, mesh.points, mesh.surface_point_count,
                                              mesh.quads, mesh.quad_count, &options, &made);
   assert_null(made);

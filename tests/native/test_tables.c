@@ -83,9 +83,10 @@ static void options_are_refused_by_the_table(void **state) {
         {.method = f->method, .allow_uncertified = true, .layers = 1},
         {.method = f->method, .allow_uncertified = true, .no_core = true},
         {.method = f->method, .allow_uncertified = true, .pairing = HEXCON_PAIRING_FEWEST},
-        {.method = f->method, .allow_uncertified = true, .proposal = &any}};
-    const bool takes[] = {f->layers, f->core, f->pairing, f->proposal};
-    for (size_t k = 0; k < 4; k++) {
+        {.method = f->method, .allow_uncertified = true, .proposal = &any},
+        {.method = f->method, .allow_uncertified = true, .pillow = 1}};
+    const bool takes[] = {f->layers, f->core, f->pairing, f->proposal, f->pillow};
+    for (size_t k = 0; k < 5; k++) {
       bool refused = mesh_cube(context, &given[k]) == HEXCON_BAD_ARGUMENT;
       assert_int_equal(refused, !takes[k]);
       assert_int_equal(refused,

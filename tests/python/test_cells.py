@@ -67,7 +67,7 @@ def bumpy_ball():
 @pytest.mark.parametrize("n", (8, 12, 16, 18, 22, 26, 30, 34, 44, 60))
 def test_random_polyhedra(n):
     points, quads = surface = random_polyhedron(np.random.default_rng([n, 71]), n, 2.0)
-    mesh = hn.mesh(points, quads, "cells")
+    mesh = hn.mesh(points, quads, "cells", pillow="never")
     assert_sound(mesh, surface)
     assert len(mesh.hexes) <= (STAR_HEXES + LAYER_HEXES) * n
     assert mesh.quality.min >= min(0.1, 0.8 * surface_bound(points, quads))
@@ -89,7 +89,7 @@ SOME_SMALL = [*range(16), 25, 40, 56, 60, 65]
 @pytest.mark.parametrize("k", SOME_SMALL)
 def test_small_polyhedra(k):
     assert len(small_polyhedra()) == 74
-    mesh = hn.mesh(*small_polyhedra()[k], "cells")
+    mesh = hn.mesh(*small_polyhedra()[k], "cells", pillow="never")
     assert mesh.certificate.certified
     assert mesh.quality.min >= min(0.1, 0.35 * surface_bound(*small_polyhedra()[k]))
 
@@ -101,7 +101,7 @@ FILLABLE = [name for name in PAPERS
 
 @pytest.mark.parametrize("name", FILLABLE)
 def test_paper_surfaces(name):
-    assert_sound(hn.mesh(*PAPERS[name], "cells"), PAPERS[name])
+    assert_sound(hn.mesh(*PAPERS[name], "cells", pillow="never"), PAPERS[name])
 
 
 def test_what_papers_say_is_fillable():
@@ -126,16 +126,16 @@ NOT_CONVEX = {"cross": CROSS, "L": make.prism(make.picture("#.", "##"), np.arang
 def test_bodies_that_are_star_shaped_and_not_convex(name):
     report = hn.check_surface(*NOT_CONVEX[name])
     assert report.star_center is not None and not report.convex
-    assert_sound(hn.mesh(*NOT_CONVEX[name], "cells"), NOT_CONVEX[name])
+    assert_sound(hn.mesh(*NOT_CONVEX[name], "cells", pillow="never"), NOT_CONVEX[name])
 
 
 def test_quads_that_are_not_plane():
-    assert_sound(hn.mesh(*bumpy_ball(), "cells"), bumpy_ball())
+    assert_sound(hn.mesh(*bumpy_ball(), "cells", pillow="never"), bumpy_ball())
 
 
 def test_a_blossom_surface_with_gmsh_inside(tmp_path):
     surface = blossom_surface("hexagonal_prism", 60, tmp_path)
-    mesh = hexcon.mesh_surface(*surface, "cells")
+    mesh = hexcon.mesh_surface(*surface, "cells", pillow="never")
     assert_sound(mesh, surface)
     assert any(line.startswith("tetrahedra") for line in mesh.report["log"])
 
@@ -177,7 +177,7 @@ BOX = make.box(2, 1, 1)
 @pytest.mark.parametrize("layers", (0, 2))
 def test_layers_stand_on_the_quads(layers):
     points, quads = make.box(2, 2, 1)
-    mesh = hn.mesh(points, quads, "cells", layers=layers)
+    mesh = hn.mesh(points, quads, "cells", pillow="never", layers=layers)
     assert_sound(mesh, (points, quads))
     made = int(mesh.report["layers"])
     assert layers <= made <= layers + 1
@@ -204,7 +204,7 @@ def assert_plain_layers(mesh, quads, layers):
 
 
 def test_order_2():
-    first, second = (hn.mesh(*BOX, "cells", order=order) for order in (1, 2))
+    first, second = (hn.mesh(*BOX, "cells", pillow="never", order=order) for order in (1, 2))
     assert_sound(first, BOX)
     assert second.hexes.shape == (len(first.hexes), 20) and second.certificate.certified
     points, hexes = hn.raise_order(first.points, first.hexes)
@@ -214,21 +214,21 @@ def test_order_2():
 
 def test_renumbered():
     points, quads = random_polyhedron(np.random.default_rng(5), 20, 2.0)
-    plain = hn.mesh(points, quads, "cells")
+    plain = hn.mesh(points, quads, "cells", pillow="never")
     other = make.permuted((points, quads), np.random.default_rng(6))
-    mesh = hn.mesh(*other, "cells")
+    mesh = hn.mesh(*other, "cells", pillow="never")
     assert_sound(mesh, other)
     assert len(mesh.hexes) == len(plain.hexes)
 
 
 def test_threads_do_not_matter():
-    one, two = (hn.mesh(*BOX, "cells", threads=threads) for threads in (1, 2))
+    one, two = (hn.mesh(*BOX, "cells", pillow="never", threads=threads) for threads in (1, 2))
     assert one.points.tobytes() == two.points.tobytes() and np.array_equal(one.hexes, two.hexes)
 
 
 def test_inward_quads():
     points, quads = BOX
-    mesh = hn.mesh(points, quads[:, ::-1], "cells")
+    mesh = hn.mesh(points, quads[:, ::-1], "cells", pillow="never")
     assert mesh.report["turned outward"] == 1
     assert mesh_checker.faults(mesh.points, mesh.hexes, mesh.quads, points) == []
 
@@ -302,7 +302,7 @@ def none(points, triangles):
     none, no_tetrahedra, ids_too_large, inside_out, flat, no_numbers, one_missing,
     all_twice, twice_on_both_sides, a_point_too_many))
 def test_useless_tetrahedra_are_not_used(mesher):
-    mesh = hn.mesh(*BOX, "cells", tetrahedralise=mesher)
+    mesh = hn.mesh(*BOX, "cells", pillow="never", tetrahedralise=mesher)
     assert_sound(mesh, BOX)
     assert "no tetrahedra found" in mesh.report["log"][0] and mesh.report["log"][-1].startswith("star")
 
@@ -313,7 +313,7 @@ def test_mesher_is_given_an_outward_triangulation():
     def mesher(points, triangles):
         given.append((points, triangles))
         return star(points, triangles)
-    mesh = hn.mesh(*BOX, "cells", tetrahedralise=mesher)
+    mesh = hn.mesh(*BOX, "cells", pillow="never", tetrahedralise=mesher)
     assert_sound(mesh, BOX)
     assert mesh.report["log"][0].startswith("tetrahedra, ")
     for points, triangles in given:
@@ -332,7 +332,7 @@ def test_exception_in_the_mesher():
     def complain(points, triangles):
         raise Unexpected("no tetrahedra today")
     with pytest.raises(Unexpected, match="today"):
-        hn.mesh(*BOX, "cells", tetrahedralise=complain)
+        hn.mesh(*BOX, "cells", pillow="never", tetrahedralise=complain)
 
 
 @pytest.mark.parametrize("made", (
@@ -340,7 +340,7 @@ def test_exception_in_the_mesher():
 def test_what_is_no_tetrahedra_at_all(made):
     """A programmer's mistake is told, not passed over."""
     with pytest.raises(hn.HexconError):
-        hn.mesh(*BOX, "cells", tetrahedralise=lambda points, triangles: made)
+        hn.mesh(*BOX, "cells", pillow="never", tetrahedralise=lambda points, triangles: made)
 
 
 # ------------------------------------------------------------------------------------------ progress
@@ -349,7 +349,7 @@ def test_progress_and_cancel():
     """One thread: of several, which one is asked how often is a matter of time."""
     seen = []
     options = {"tetrahedralise": star, "threads": 1}
-    hn.mesh(*BOX, "cells", progress=lambda stage, part: seen.append((stage, part)), **options)
+    hn.mesh(*BOX, "cells", pillow="never", progress=lambda stage, part: seen.append((stage, part)), **options)
     assert all(0 <= part <= 1 for _, part in seen)
     stages = {stage.partition(", ")[0]: number for number, (stage, _) in enumerate(seen, 1)}
     assert {"pairing", "tetrahedra inside", "certificate: links"} <= set(stages)
@@ -375,7 +375,7 @@ def roughened(points, hexes, first_free, amount):
 def test_mean_passes_raise_the_mean(amount):
     """For it the worst may be lowered to 3/4, but not below 0.1; one below 0.1 loses 0.2 % at most."""
     points, quads = random_polyhedron(np.random.default_rng(9), 16, 2.0)
-    mesh = hn.mesh(points, quads, "cells")
+    mesh = hn.mesh(points, quads, "cells", pillow="never")
     rough = roughened(mesh.points, mesh.hexes, len(points), amount)
     before = hn.quality(rough, mesh.hexes)
     assert 0 < before.min and (before.min < 0.1) == (amount > 0.1)

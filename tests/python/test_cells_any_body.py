@@ -39,7 +39,7 @@ def test_certified(name):
     make, euler = BODIES[name]
     points, quads = permuted(make(), np.random.default_rng(8))
     assert hn.check_surface(points, quads).star_center is None
-    mesh = hexcon.mesh_surface(points, quads, "cells")
+    mesh = hexcon.mesh_surface(points, quads, "cells", pillow="never")
     assert mesh.method == "cells" and mesh.certificate.certified and mesh.certificate.euler == euler
     assert mesh_checker.faults(mesh.points, mesh.hexes, mesh.quads, points) == []
     assert mesh_checker.euler(mesh.hexes) == euler
@@ -52,10 +52,10 @@ def test_certified(name):
 def test_tetrahedra_are_needed():
     for make in (notched, holed, hollow):
         with pytest.raises(hn.HexconError) as fault:
-            hn.mesh(*make(), "cells")
+            hn.mesh(*make(), "cells", pillow="never")
         assert fault.value.code == hn.ErrorCode.NOT_STAR_SHAPED and "tetrahedra" in str(fault.value)
     with pytest.raises(hn.HexconError) as fault:
-        hn.mesh(*notched(), "cells", tetrahedralise=lambda points, triangles: None)
+        hn.mesh(*notched(), "cells", pillow="never", tetrahedralise=lambda points, triangles: None)
     assert fault.value.code == hn.ErrorCode.NOT_STAR_SHAPED and "no tetrahedra were found" in str(fault.value)
 
 
@@ -64,5 +64,5 @@ def test_colours_are_needed():
     points, quads = torus(5, 4)
     assert hn.check_surface(points, quads).fillable
     with pytest.raises(hn.HexconError) as fault:
-        hexcon.mesh_surface(points, quads, "cells")
+        hexcon.mesh_surface(points, quads, "cells", pillow="never")
     assert fault.value.code == hn.ErrorCode.NOT_BIPARTITE and len(fault.value.elements) == 5

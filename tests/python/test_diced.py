@@ -50,7 +50,7 @@ def assert_sound(mesh, surface):
 
 def fault_of(surface, **options):
     with pytest.raises(hn.HexconError) as caught:
-        hn.mesh(*surface, "diced", **options)
+        hn.mesh(*surface, "diced", pillow="never", **options)
     return caught.value
 
 
@@ -72,7 +72,7 @@ def cad_surface(body, size, method, folder):
 
 def test_one_tetrahedron():
     surface = diced_hull(SKEW)
-    mesh = hn.mesh(*surface, "diced")
+    mesh = hn.mesh(*surface, "diced", pillow="never")
     assert_sound(mesh, surface)
     assert len(mesh.hexes) == 4 and mesh.quality.min > 0.4
 
@@ -81,7 +81,7 @@ def test_one_tetrahedron():
 def test_diced_hulls_in_any_numbering(seed):
     rng = np.random.default_rng([seed, 5])
     surface = shuffled(rng, round_hull(rng, int(rng.integers(5, 40))))
-    mesh = hn.mesh(*surface, "diced")
+    mesh = hn.mesh(*surface, "diced", pillow="never")
     assert_sound(mesh, surface)
     assert mesh.report["coarse quads"] == 0
     assert len(mesh.hexes) == 4 * mesh.report["coarse triangles"]     # all to the centre
@@ -93,14 +93,14 @@ def test_octahedra(seed):
     rng = np.random.default_rng([seed, 6])
     stretched = OCTAHEDRON @ (np.eye(3) + rng.uniform(-0.4, 0.4, (3, 3)))
     surface = shuffled(rng, diced_hull(stretched))
-    mesh = hn.mesh(*surface, "diced")
+    mesh = hn.mesh(*surface, "diced", pillow="never")
     assert_sound(mesh, surface)
     assert len(mesh.hexes) == 32
 
 
 def test_gmsh_tetrahedra_where_a_star_is_crowded():
     surface = round_hull(np.random.default_rng(3), 80)
-    mesh = hexcon.mesh_surface(*surface, "diced")
+    mesh = hexcon.mesh_surface(*surface, "diced", pillow="never")
     assert_sound(mesh, surface)
     assert len(mesh.hexes) == 4 * mesh.report["tetrahedra"] > 4 * mesh.report["coarse triangles"]
     assert any("tetrahedra: " in line for line in mesh.report["log"])
@@ -109,7 +109,7 @@ def test_gmsh_tetrahedra_where_a_star_is_crowded():
 def test_corners_of_three_quads_are_centres_of_triangles():
     """A box of 2 * 2 * 2 quads is a diced octahedron as well: 32 hexes, not 6 pyramids."""
     surface = box(2, 2, 2)
-    mesh = hn.mesh(*surface, "diced")
+    mesh = hn.mesh(*surface, "diced", pillow="never")
     assert_sound(mesh, surface)
     assert (mesh.report["coarse triangles"], mesh.report["coarse quads"]) == (8, 0)
     assert len(mesh.hexes) == 32 and mesh.quality.min > 0.5
@@ -133,7 +133,7 @@ def test_coarse_quads(surface, mesher):
 @pytest.mark.parametrize("name", ["ball", "hull_14"])
 def test_gmsh_surfaces(name, method, tmp_path):
     surface = shuffled(np.random.default_rng(9), blossom_surface(name, 70, tmp_path, method))
-    mesh = hexcon.mesh_surface(*surface, "diced")
+    mesh = hexcon.mesh_surface(*surface, "diced", pillow="never")
     assert_sound(mesh, surface)
     assert mesh.report["hexes per quad"] < 30
     assert mesh.quality.min >= min(0.08, 0.5 * mesh.report["surface bound"])
@@ -148,13 +148,13 @@ def test_bodies_that_no_point_sees_whole(body, genus, method, size, tmp_path):
     surface = cad_surface(body, size, method, tmp_path)
     facts = hn.check_surface(*surface)
     assert facts.star_center is None and facts.genus == genus
-    mesh = hexcon.mesh_surface(*surface, "diced")
+    mesh = hexcon.mesh_surface(*surface, "diced", pillow="never")
     assert_sound(mesh, surface)
 
 
 def test_a_torus_of_quads():
     surface = torus(12, 8)
-    mesh = hexcon.mesh_surface(*surface, "diced")
+    mesh = hexcon.mesh_surface(*surface, "diced", pillow="never")
     assert_sound(mesh, surface)
 
 
@@ -202,13 +202,13 @@ def test_auto_takes_it_after_swept():
 
 def test_order_threads_and_inward_quads():
     points, quads = round_hull(np.random.default_rng(13), 12)
-    one, two = (hn.mesh(points, quads, "diced", threads=threads) for threads in (1, 2))
+    one, two = (hn.mesh(points, quads, "diced", pillow="never", threads=threads) for threads in (1, 2))
     assert one.points.tobytes() == two.points.tobytes() and np.array_equal(one.hexes, two.hexes)
-    assert hn.mesh(points, quads, "diced", order=2).hexes.shape == (len(one.hexes), 20)
-    inward = hn.mesh(points, quads[:, ::-1], "diced")
+    assert hn.mesh(points, quads, "diced", pillow="never", order=2).hexes.shape == (len(one.hexes), 20)
+    inward = hn.mesh(points, quads[:, ::-1], "diced", pillow="never")
     assert inward.report["turned outward"] == 1 and inward.certificate.certified
     with pytest.raises(hn.HexconError) as caught:
-        hn.mesh(points, quads, "diced", layers=1)
+        hn.mesh(points, quads, "diced", pillow="never", layers=1)
     assert caught.value.code == Code.BAD_ARGUMENT
 
 

@@ -32,7 +32,7 @@ def split(surface):
 
 def with_core(surface, **options):
     """A certified mesh of layers and a core, by the core's own proof and by the independent checker."""
-    mesh = hn.mesh(*surface, "sheets", **options)
+    mesh = hn.mesh(*surface, "sheets", pillow="never", **options)
     report = mesh.report
     assert mesh.method == "sheets" and mesh.certificate.certified and not mesh.topological
     assert mesh_checker.faults(mesh.points, mesh.hexes, surface[1], surface[0]) == []
@@ -67,32 +67,32 @@ def test_a_layer_over_all_lets_any_loop_go(tmp_path):
 
 def test_a_core_can_be_refused():
     with pytest.raises(hn.HexconError) as fault:
-        hn.mesh(*schneiders_pyramid(), "sheets", core=False)
+        hn.mesh(*schneiders_pyramid(), "sheets", pillow="never", core=False)
     assert fault.value.code == hn.ErrorCode.NO_SHEETS
     assert "of 16 quads" in str(fault.value) and "a core of 8" in str(fault.value)
     assert 0 < len(fault.value.elements) <= 8
-    assert len(hn.mesh(*box(2, 2, 2), "sheets", core=False).hexes) == 8
+    assert len(hn.mesh(*box(2, 2, 2), "sheets", pillow="never", core=False).hexes) == 8
 
 
 def test_no_loop_that_can_go_is_told_at_once():
     """The one loop of the quadrilateral octahedron crosses itself."""
     octahedron = hexcon.example("octahedron")
     with pytest.raises(hn.HexconError) as fault:
-        hn.mesh(octahedron.points, octahedron.quads, "sheets")
+        hn.mesh(octahedron.points, octahedron.quads, "sheets", pillow="never")
     assert fault.value.code == hn.ErrorCode.NO_SHEETS
 
 
 def test_the_result_does_not_depend_on_threads():
     surface = split(schneiders_pyramid())
-    first, second = hn.mesh(*surface, "sheets", threads=1), hn.mesh(*surface, "sheets", threads=2)
+    first, second = (hn.mesh(*surface, "sheets", pillow="never", threads=threads) for threads in (1, 2))
     assert first.points.tobytes() == second.points.tobytes()
     assert first.hexes.tobytes() == second.hexes.tobytes()
 
 
 def test_order_and_cancelling():
-    assert hn.mesh(*schneiders_pyramid(), "sheets", order=2).hexes.shape == (44, 20)
+    assert hn.mesh(*schneiders_pyramid(), "sheets", pillow="never", order=2).hexes.shape == (44, 20)
     with pytest.raises(hn.HexconError) as fault:
-        hn.mesh(*schneiders_pyramid(), "sheets", progress=lambda stage, part: "untangling" not in stage)
+        hn.mesh(*schneiders_pyramid(), "sheets", pillow="never", progress=lambda stage, part: "untangling" not in stage)
     assert fault.value.code == hn.ErrorCode.CANCELLED
 
 
@@ -103,4 +103,4 @@ def test_auto_takes_what_needs_fewest_hexes(tmp_path):
     assert mesh.method == "shelling" and mesh.certificate.certified
     assert any(line.startswith("shelling: ") for line in mesh.report["log"])
     assert not any(line.startswith(("sheets and a core", "cells")) for line in mesh.report["log"])
-    assert len(mesh.hexes) < len(hexcon.mesh_surface(*surface, "sheets").hexes)
+    assert len(mesh.hexes) < len(hexcon.mesh_surface(*surface, "sheets", pillow="never").hexes)

@@ -6,7 +6,7 @@ import pytest
 import sheet_surfaces
 from cell_surfaces import sphere
 from sheet_surfaces import boundary, midpoint_subdivision, quads_of, random_polytope, random_sheets
-from surfaces import annulus, box, diced, grid, o_grid, permuted, picture, prism, upright
+from surfaces import box, diced, grid, o_grid, permuted, picture, prism, upright
 
 import hexcon_native as hn
 
@@ -17,7 +17,7 @@ SHAPES = [(1, 1, 1), (2, 1, 1), (1, 3, 1), (2, 2, 1), (2, 2, 2), (1, 1, 9), (5, 
 
 def certified(surface, hexes=None, small=400):
     """The mesh, proved by the core and, where it is small, by the independent checker."""
-    mesh = hn.mesh(*surface, "sheets")
+    mesh = hn.mesh(*surface, "sheets", pillow="never")
     assert mesh.method == "sheets" and mesh.certificate.certified and not mesh.topological
     assert hexes is None or len(mesh.hexes) == hexes
     if len(mesh.hexes) <= small:
@@ -102,7 +102,7 @@ def test_grids_with_random_sheets_are_found_again():
         if hn.check_surface(*surface).embedded is not True:  # sheets that fold the boundary's flat sides
             refused += 1
             continue
-        mesh = hn.mesh(*surface, "sheets", allow_uncertified=True)
+        mesh = hn.mesh(*surface, "sheets", pillow="never", allow_uncertified=True)
         proved = mesh.certificate
         assert proved.conforming and proved.proper and proved.boundary_exact
         assert len(mesh.hexes) <= 1.5 * len(hexes)
@@ -115,7 +115,7 @@ def test_grids_with_random_sheets_are_found_again():
 
 def test_the_result_does_not_depend_on_threads_and_chance():
     surface = midpoint_subdivision(random_polytope(np.random.default_rng(5), 24), 1)
-    first, second = hn.mesh(*surface, "sheets", threads=1), hn.mesh(*surface, "sheets", threads=2)
+    first, second = (hn.mesh(*surface, "sheets", pillow="never", threads=threads) for threads in (1, 2))
     assert first.points.tobytes() == second.points.tobytes()
     assert first.hexes.tobytes() == second.hexes.tobytes()
 
@@ -125,5 +125,5 @@ def test_order_and_progress():
     mesh = hn.mesh(*box(3, 3, 3), "sheets", order=2, progress=lambda stage, part: seen.append(part) or True)
     assert mesh.hexes.shape == (27, 20) and seen
     with pytest.raises(hn.HexconError) as fault:
-        hn.mesh(*box(3, 3, 3), "sheets", progress=lambda stage, part: part < 0.5)
+        hn.mesh(*box(3, 3, 3), "sheets", pillow="never", progress=lambda stage, part: part < 0.5)
     assert fault.value.code == hn.ErrorCode.CANCELLED

@@ -17,7 +17,7 @@ CELL = 38    # hexes under a rotated edge
 
 def certified(surface, **options):
     """The mesh, proved by the core and by the independent checker; its hexes are those that were counted."""
-    mesh = hn.mesh(*surface, "shelling", **options)
+    mesh = hn.mesh(*surface, "shelling", pillow="never", **options)
     report = mesh.report
     assert mesh.method == "shelling" and mesh.certificate.certified and not mesh.topological
     assert mesh_checker.faults(mesh.points, mesh.hexes, surface[1], surface[0]) == []
@@ -91,20 +91,20 @@ def test_random_polyhedra(quads):
 
 def test_a_box_needs_no_shell():
     points, quads = box(2, 3, 4)
-    mesh = hn.mesh(points, quads, "shelling")
+    mesh = hn.mesh(points, quads, "shelling", pillow="never")
     assert len(mesh.hexes) == 24 and mesh.report["rotations"] == mesh.report["shells"] == 0
     assert mesh.quality.min > 1 - 1e-9
 
 
 def test_threads_do_not_matter():
     surface = rotated_ball(1, 7)
-    one, two = (hn.mesh(*surface, "shelling", threads=threads) for threads in (1, 2))
+    one, two = (hn.mesh(*surface, "shelling", pillow="never", threads=threads) for threads in (1, 2))
     assert one.points.tobytes() == two.points.tobytes() and np.array_equal(one.hexes, two.hexes)
 
 
 def test_refusals():
     with pytest.raises(hn.HexconError) as fault:   # no edge of an octahedron's eight quads can be rotated
-        hn.mesh(*quadrilateral_octahedron(), "shelling")
+        hn.mesh(*quadrilateral_octahedron(), "shelling", pillow="never")
     assert fault.value.code == hn.ErrorCode.NO_ROTATIONS
     with pytest.raises(hn.HexconError) as fault:
         hn.mesh(*rotated_ball(1, 1), "shelling", progress=lambda stage, fraction: stage != "rotating edges")

@@ -40,11 +40,11 @@ def check(points, quads):
     record = TABLE.get(maker.canonical(quads)[0])
     if record is None:
         with pytest.raises(hn.HexconError) as fault:
-            hn.mesh(points, quads, "smallest")
+            hn.mesh(points, quads, "smallest", pillow="never")
         assert fault.value.code == hn.ErrorCode.NO_SMALL_FILLING
         return
     started = time.process_time()
-    mesh = hn.mesh(points, quads, "smallest", allow_uncertified=True, threads=1)
+    mesh = hn.mesh(points, quads, "smallest", pillow="never", allow_uncertified=True, threads=1)
     assert time.process_time() - started < 30
     faults = mesh_checker.faults(mesh.points, mesh.hexes, mesh.quads, points)
     assert mesh.method == "smallest" and len(mesh.hexes) == len(record.hexes)
@@ -82,7 +82,7 @@ def test_table_says_what_is_certified():
 
 
 def hexes_of(points, quads):
-    mesh = hn.mesh(points, quads, "smallest", threads=1)
+    mesh = hn.mesh(points, quads, "smallest", pillow="never", threads=1)
     assert not mesh_checker.faults(mesh.points, mesh.hexes, mesh.quads, points)
     return len(mesh.hexes)
 
@@ -112,18 +112,18 @@ def test_points_moved_off_the_canonical_place():
 
 def test_inward_quads_are_turned():
     points, quads = paper_surfaces.quadrilateral_octahedron()
-    mesh = hn.mesh(points, quads[:, ::-1], "smallest")
+    mesh = hn.mesh(points, quads[:, ::-1], "smallest", pillow="never")
     assert mesh.certificate.certified and mesh.report["turned outward"] == 1
 
 
 def test_second_order():
     points, quads = paper_surfaces.quadrilateral_octahedron()
-    assert hn.mesh(points, quads, "smallest", order=2).hexes.shape == (40, 20)
+    assert hn.mesh(points, quads, "smallest", pillow="never", order=2).hexes.shape == (40, 20)
 
 
 def code_and_elements(points, quads):
     with pytest.raises(hn.HexconError) as fault:
-        hn.mesh(points, quads, "smallest")
+        hn.mesh(points, quads, "smallest", pillow="never")
     return fault.value.code, fault.value.elements, str(fault.value)
 
 

@@ -34,7 +34,7 @@ def peeled(mesh):
 def test_cells(layers):
     """Layers keep the quads; a domino lays two triangles under each, diced into three."""
     surface = sphere(2)
-    mesh = hn.mesh(*surface, "cells", layers=layers)
+    mesh = hn.mesh(*surface, "cells", layers=layers, pillow="never")
     names, bare = peeled(mesh)
     count = len(surface[1])
     assert names == ["layers", "cells", "star"][-len(names):] and ("layers" in names or not layers)
@@ -43,7 +43,7 @@ def test_cells(layers):
 
 
 def test_layers_and_a_core():
-    mesh = hn.mesh(*schneiders_pyramid(), "sheets")
+    mesh = hn.mesh(*schneiders_pyramid(), "sheets", pillow="never")
     names, bare = peeled(mesh)
     assert names == ["layers", "core"] and [len(faces) for faces in bare] == [16, mesh.report["core quads"]]
 
@@ -51,7 +51,7 @@ def test_layers_and_a_core():
 def test_diced():
     """A coarse quad leaves the four triangles of its pyramid, or two; each shows three quads."""
     surface = merged_hull(np.random.default_rng(3), 14)
-    mesh = hn.mesh(*surface, "diced")
+    mesh = hn.mesh(*surface, "diced", pillow="never")
     names, bare = peeled(mesh)
     report = mesh.report
     assert report["coarse quads"] > 0 and names[1:] == ["tetrahedra"]
@@ -62,7 +62,7 @@ def test_diced():
 
 def test_shelling():
     surface = rotated_ball(1, 1)
-    names, bare = peeled(hn.mesh(*surface, "shelling"))
+    names, bare = peeled(hn.mesh(*surface, "shelling", pillow="never"))
     assert names == ["shells", "sheets inside"] and [len(faces) for faces in bare] == 2 * [len(surface[1])]
 
 
@@ -84,7 +84,7 @@ def test_counts_of_other_hexes_are_refused():
 
 
 def test_stages_are_hidden():
-    mesh = hn.mesh(*schneiders_pyramid(), "sheets")
+    mesh = hn.mesh(*schneiders_pyramid(), "sheets", pillow="never")
     counts = counts_of(mesh.report)
     inspected = InspectedMesh(mesh, counts)
     (_, layers), (_, core) = inspected.stages

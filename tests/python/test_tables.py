@@ -140,7 +140,7 @@ def test_tries_of_auto():
     assert told[:turn] == [name for _, name, _ in tries[1:turn + 1]]  # there is no proposal
 
 
-OPTIONS = {"layers": {"layers": 1}, "core": {"core": False}, "pairing": {"pairing": "none"}}
+OPTIONS = {"layers": {"layers": 1}, "core": {"core": False}, "pairing": {"pairing": "none"}, "pillow": {"pillow": 1}}
 
 
 @pytest.mark.parametrize("option", OPTIONS)

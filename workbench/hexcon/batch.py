@@ -6,6 +6,7 @@ import traceback
 
 from hexcon_native import METHOD_CHOICES, check_options
 
+from . import pillows
 from .chatter import chatter_to
 from .cli import terminal
 from .cli.arguments import CHOSEN, LAYERS_HELP, PAIRING_HELP, PAIRINGS, methods_help
@@ -112,6 +113,7 @@ def _parser():
     parser.add_argument("--method", choices=METHOD_CHOICES, default="auto",
                         help=f"how they are filled with hexes. {methods_help(CHOSEN)}")
     parser.add_argument("--layers", type=int, default=0, metavar="K", help=LAYERS_HELP)
+    parser.add_argument("--pillow", type=pillows.pillow_of, default="auto", metavar="auto|never|K", help=pillows.HELP)
     parser.add_argument("--pairing", choices=PAIRINGS, default=PAIRINGS[0],
                         help=PAIRING_HELP)
     parser.add_argument("--allow-topological", action="store_true",
@@ -132,7 +134,7 @@ def main(arguments=None):
         return EXIT_USAGE
     try:
         endings = tuple(options.write or (".inp",))
-        check_options(options.method, order=options.order, layers=options.layers)
+        check_options(options.method, order=options.order, layers=options.layers, pillow=options.pillow)
         # the name is no part's: what counts are the endings
         check_method_for([f"x{ending}" for ending in endings], options.method,
                          options.allow_topological, BY_OPTION)
@@ -140,7 +142,7 @@ def main(arguments=None):
             options.folder, options.out or os.path.join(options.folder, "hexcon"), options.size,
             endings, say,
             order=options.order, surface_method=options.surface_method, method=options.method,
-            layers=options.layers, allow_topological=options.allow_topological,
+            layers=options.layers, pillow=options.pillow, allow_topological=options.allow_topological,
             **pairing_option(options.pairing))
     except HexconError as fault:
         complain(f"mesh_folder: {fault}")

@@ -120,6 +120,10 @@ void context_finish(hexcon_context *context) {
   context->reserve = -fmax(least_tolerance, tolerance * context->budget);
 }
 
+bool context_is_finishing(const hexcon_context *context) {
+  return context->reserve < 0;
+}
+
 hexcon_status context_ask(hexcon_context *context) {
   return context_progress(context, context->stage, context->fraction);
 }

@@ -71,6 +71,9 @@ void context_reserve(hexcon_context *context, size_t hexes);
  * besides, a second or 5 %. */
 void context_finish(hexcon_context *context);
 
+/** Whether the time ran out, and what there is is only finished. */
+bool context_is_finishing(const hexcon_context *context);
+
 /** As context_progress, with the stage and the fraction that were told last. */
 hexcon_status context_ask(hexcon_context *context);
 

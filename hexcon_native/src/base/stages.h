@@ -43,7 +43,8 @@
   ROW(HEXES_OF_SPLIT_LAYER, "split layer", "split layer")                                          \
   ROW(HEXES_OF_FURTHER_LAYERS, "further split layers", "further split layers")                     \
   ROW(HEXES_OF_CLOSURE, "closure", "closure")                                                      \
-  ROW(HEXES_OF_PILLOWS, "pillows", "pillows")
+  ROW(HEXES_OF_PILLOWS, "pillows", "pillows")                                                      \
+  ROW(HEXES_OF_INSIDE, "inside", "inside of the pillows")
 
 #define STAGE_CONSTANT(constant, name, words) constant,
 typedef enum progress_stage { PROGRESS_STAGES(STAGE_CONSTANT) PROGRESS_STAGE_COUNT } progress_stage;

@@ -8,6 +8,7 @@
 #include "homology/odd_cycles.h"
 #include "methods.h"
 #include "solve/auto/mesh_auto.h"
+#include "solve/common/mesh_pillow.h"
 #include "solve/common/mesh_result.h"
 #include "solve/proposal/mesh_proposal.h"
 #include "surface/build.h"
@@ -30,6 +31,10 @@ static bool takes_pairing(const hexcon_method_facts *facts) {
 
 static bool takes_proposal(const hexcon_method_facts *facts) {
   return facts->proposal;
+}
+
+static bool takes_pillow(const hexcon_method_facts *facts) {
+  return facts->pillow;
 }
 
 static bool fills_cavities(const hexcon_method_facts *facts) {
@@ -70,6 +75,12 @@ static hexcon_status check_options(hexcon_context *context, const hexcon_mesh_op
                         options->threads);
   if (options->layers > 0 && !method->facts.layers)
     return refuse_option(context, "boundary layers", takes_layers);
+  if (options->pillow < HEXCON_PILLOW_NEVER || options->pillow > HEXCON_PILLOW_MOST)
+    return context_fail(context, HEXCON_BAD_ARGUMENT,
+                        "pillow %d: it must be a number of sheets up to %d, or automatic, or never",
+                        options->pillow, HEXCON_PILLOW_MOST);
+  if (options->pillow > 0 && !method->facts.pillow)
+    return refuse_option(context, "a pillow", takes_pillow);
   if (options->no_core && !method->facts.core)
     return refuse_option(context, "to refuse a core", takes_core);
   if (options->proposal && !method->facts.proposal)
@@ -267,7 +278,9 @@ static hexcon_status construct(hexcon_context *context, const surface *s,
   mesh->method = method->facts.name;
   mesh->topological = method->facts.topological;
   hexcon_status status = check_cavities(context, s, &method->facts);
-  return status ? status : method->fill(context, s, options, mesh);
+  if (!status)
+    status = method->fill(context, s, options, mesh);
+  return status || !method->facts.pillow ? status : mesh_pillow(context, s, options, mesh);
 }
 
 /** Topological methods do not look at the quality on their way. */

@@ -25,6 +25,7 @@ static const method_row rows[] = {
                    "tries the methods for solvers, those of fewest hexes first, until one is "
                    "certified and good, and takes the best",
                .told = "automatic",
+               .pillow = true,
                .layers = true,
                .tetrahedralise = true,
                .proposal = true,
@@ -36,7 +37,8 @@ static const method_row rows[] = {
                .label = "as proposed",
                .purpose =
                    "takes hexes that come with the surface: places, improves and proves them",
-               .told = "as proposed",
+               .told = "as proposed[, {pillows} pillow]",
+               .pillow = true,
                .proposal = true,
                .holes = true,
                .cavities = true,
@@ -47,7 +49,8 @@ static const method_row rows[] = {
                .name = "swept",
                .label = "swept",
                .purpose = "sweeps: as many hexes as a cap's quads times rings",
-               .told = "swept, {cap quads} cap quads \u00d7 {rings} rings",
+               .told = "swept, {cap quads} cap quads \u00d7 {rings} rings[, {pillows} pillow]",
+               .pillow = true,
                .holes = true,
                .odd_colours = true,
                .tries = {{.turn = 2, .good_worst = 0.3}}},
@@ -58,7 +61,9 @@ static const method_row rows[] = {
                .purpose =
                    "boxes, polyhedra and mixtures that are no sweep: layers of hexes cut all "
                    "handles and take one dual loop after the other away, down to a cube or a core",
-               .told = "{sheets} sheets[, {cuts} of them cuts][, a core of {core quads} quads]",
+               .told = "{sheets} sheets[, {cuts} of them cuts][, a core of {core quads} quads]"
+                       "[, {pillows} pillow]",
+               .pillow = true,
                .core = true,
                .tetrahedralise = true,
                .holes = true,
@@ -73,7 +78,8 @@ static const method_row rows[] = {
                    "subdivided triangles or quads around any body: tetrahedra inside, each cut "
                    "into four hexes",
                .told = "diced, {coarse triangles} coarse triangles, {coarse quads} coarse quads, "
-                       "{tetrahedra} tetrahedra inside",
+                       "{tetrahedra} tetrahedra inside[, {pillows} pillow]",
+               .pillow = true,
                .tetrahedralise = true,
                .holes = true,
                .cavities = true,
@@ -84,7 +90,8 @@ static const method_row rows[] = {
                .name = "smallest",
                .label = "smallest",
                .purpose = "up to 16 quads around a ball: the smallest filling known, from a table",
-               .told = "smallest",
+               .told = "smallest[, {pillows} pillow]",
+               .pillow = true,
                .hexes_a_quad = 4,
                .tries = {{.turn = 5, .good_worst = 0.08, .most_hexes = 6}}},
      .fill = mesh_smallest},
@@ -94,7 +101,8 @@ static const method_row rows[] = {
                .purpose =
                    "irregular surfaces of balls, up to some 400 quads: edges rotate in shells "
                    "under the surface, then as sheets",
-               .told = "shelling, {rotations} rotated edges in {shells} shells",
+               .told = "shelling, {rotations} rotated edges in {shells} shells[, {pillows} pillow]",
+               .pillow = true,
                .hexes_a_quad = 4,
                .tries = {{.turn = 6, .good_worst = 0.08}}},
      .fill = mesh_shelling},
@@ -104,7 +112,8 @@ static const method_row rows[] = {
                .purpose =
                    "any body, also with boundary layers: a cell of hexes on each pair of quads, "
                    "and tetrahedra inside, each cut into four hexes",
-               .told = "cells, {layers} layers, {tetrahedra} tetrahedra inside",
+               .told = "cells, {layers} layers, {tetrahedra} tetrahedra inside[, {pillows} pillow]",
+               .pillow = true,
                .layers = true,
                .tetrahedralise = true,
                .holes = true,

@@ -5,6 +5,7 @@ import math
 
 import hexcon_native
 
+from .. import pillows
 from ..examples import example_names
 from ..files import READERS, SOLVER_ENDINGS, WRITERS, shown
 from ..files.surfaces import MESH_ENDINGS, SURFACE_ENDINGS
@@ -68,6 +69,7 @@ def _add_filling(command, method="auto"):
                          help=f"how the surface is filled with hexes. {methods_help(CHOSEN)}")
     command.add_argument("--layers", type=int, default=0, metavar="K",
                          help=LAYERS_HELP)
+    command.add_argument("--pillow", type=pillows.pillow_of, default="auto", metavar="auto|never|K", help=pillows.HELP)
     command.add_argument("--pairing", choices=PAIRINGS, default=PAIRINGS[0],
                          help=PAIRING_HELP)
     command.add_argument("--order", type=int, choices=(1, 2), default=1,

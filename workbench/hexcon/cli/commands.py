@@ -73,7 +73,7 @@ def _surface_input(argument):
 def filling(options):
     """The options of mesh_quad_surface among the command line's."""
     return {"method": options.method, "order": options.order, "layers": options.layers,
-            "timeout": options.timeout, "budget": options.budget,
+            "pillow": options.pillow, "timeout": options.timeout, "budget": options.budget,
             "allow_uncertified": options.allow_uncertified, "allow_topological": options.allow_topological,
             **pairing_option(options.pairing)}
 

@@ -12,22 +12,24 @@ from hexcon.objects import (
 )
 from hexcon.objects.parametric import solid_shape
 from hexcon.objects.quad_surface import TIMEOUT
+from hexcon.pillows import pillow_of
 from hexcon.topological import refuse_topological_method
 
 from .changing import hide, update
 from .prepared import taken
 
 
-def make_hex_mesh(surface_object, *, method="auto", layers=0, order=1, budget=0.0, allow_topological=False):
+def make_hex_mesh(surface_object, *, method="auto", layers=0, pillow="auto", order=1, budget=0.0,
+                  allow_topological=False):
     """Fill a quad surface object with hexes; returns the new FEM mesh object.
 
     The quads are taken as they are. Where other quads of the same solid may do as well: mesh_solid_object.
 
-    method, layers, order, budget  as hexcon_native.mesh
+    method, layers, pillow, order, budget  as hexcon_native.mesh; pillow at most 3 here
     allow_topological  make the object even by a method of topology only; it is marked as such
     Raises HexconError: those of hexcon.mesh_quad_surface.
     """
-    settings = {"method": method, "layers": layers, "order": order, "budget": float(budget),
+    settings = {"method": method, "layers": layers, "pillow": pillow, "order": order, "budget": float(budget),
                 "allow_topological": allow_topological}
     mesh = taken() or hex_mesh_objects.job_of(surface_object, **settings)[1](None)
     document = surface_object.Document
@@ -39,7 +41,8 @@ def make_hex_mesh(surface_object, *, method="auto", layers=0, order=1, budget=0.
 
 def update_hex_mesh(mesh_object, **settings):
     """Make a hex mesh anew with other settings: those of make_hex_mesh, and try_other_surfaces. Raises as that."""
-    whole = {"method": mesh_object.Method, "layers": mesh_object.Layers, "order": int(mesh_object.Order),
+    whole = {"method": mesh_object.Method, "layers": mesh_object.Layers, "pillow": mesh_object.Pillow,
+             "order": int(mesh_object.Order),
              "budget": mesh_object.Budget, "allow_topological": mesh_object.AllowTopological,
              "try_other_surfaces": mesh_object.TryOtherSurfaces, **settings}
     mark, job = hex_mesh_objects.job_of(mesh_object.Surface, **whole)
@@ -48,7 +51,7 @@ def update_hex_mesh(mesh_object, **settings):
 
 
 def mesh_solid_object(solid_object, size, *, surface_method="auto", method="auto", layers=0,
-                      order=1, budget=0.0, timeout=TIMEOUT, allow_topological=False):
+                      pillow="auto", order=1, budget=0.0, timeout=TIMEOUT, allow_topological=False):
     """The short road: mesh a solid's surface with quads, and fill it; returns the hex mesh object.
 
     solid_object    a document object whose Shape holds exactly one solid
@@ -56,6 +59,7 @@ def mesh_solid_object(solid_object, size, *, surface_method="auto", method="auto
     surface_method  hexcon.quads.METHODS
     method          hexcon_native.METHODS
     layers          cells: at least so many layers of plain hexes under the surface
+    pillow          sheets of hexes under the surface, as hexcon_native.mesh; at most 3 here
     order           1 (C3D8) or 2 (C3D20)
     budget          seconds after which the best mesh until then is taken; 0: no limit
     timeout         seconds for gmsh
@@ -67,12 +71,12 @@ def mesh_solid_object(solid_object, size, *, surface_method="auto", method="auto
     """
     refuse_topological_method(method, allow_topological)  # before the work, not after it
     of_surface = {"source": solid_object, "size": float(size), "method": surface_method}
-    of_mesh = {"method": method, "layers": layers, "order": order, "budget": float(budget),
+    of_mesh = {"method": method, "layers": layers, "pillow": pillow, "order": order, "budget": float(budget),
                "allow_topological": allow_topological, "try_other_surfaces": True}
     shape = solid_shape(solid_object)
     mesh = taken() or mesh_solid(
-        shape, size, surface_method=surface_method, method=method, layers=layers, order=order,
-        budget=budget, timeout=timeout, threads=preferences.value("Threads"))
+        shape, size, surface_method=surface_method, method=method, layers=layers, pillow=pillow_of(pillow),
+        order=order, budget=budget, timeout=timeout, threads=preferences.value("Threads"))
     mark, _ = quad_surface_objects.job_of(**of_surface)
     document = solid_object.Document
     with freecad_compat.transaction(document, "Hex mesh"):

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The widgets that say how a quad surface is filled: method, layers, order, time budget."""
+"""The widgets that say how a quad surface is filled: method, layers, pillow, order, time budget."""
 import FreeCAD
 from PySide import QtCore, QtGui
 
 from hexcon.errors import FaultCode, ToolError
 from hexcon.judging import words
+from hexcon.pillows import CHOICES
 from hexcon.quads import METHOD_TABLE as SURFACE_METHOD_TABLE
 from hexcon_native import METHOD_CHOICES, METHOD_TABLE
 
@@ -72,6 +73,7 @@ class Filling:
             "HexCon", "How the surface is filled with hexes; the list says what each method is for. "
             "Topology only: to look at; no solver must be given such a mesh"))
         self.order = choice_of("order", words.ORDERS, words.ORDERS)
+        self._make_pillow()
         self._make_numbers()
         self.allow_topological = QtGui.QCheckBox(translate(
             "HexCon", "Topology only: not for solving"))
@@ -81,6 +83,12 @@ class Filling:
             "the object is marked as topological"))
         self.allow_topological.hide()
         self.method.currentIndexChanged.connect(self.follow_method)
+
+    def _make_pillow(self):
+        self.pillow = choice_of("pillow", CHOICES, words.PILLOWS)
+        self.pillow.setToolTip(translate(
+            "HexCon", "A sheet of hexes under the whole surface; automatic lays one where it makes a poor worst hex "
+            "clearly better"))
 
     def _make_numbers(self):
         self.layers = QtGui.QSpinBox()
@@ -102,6 +110,7 @@ class Filling:
         """Add the widgets to a QFormLayout."""
         rows.addRow(translate("HexCon", "Method"), self.method)
         rows.addRow(translate("HexCon", "Layers"), self.layers)
+        rows.addRow(translate("HexCon", "Pillow"), self.pillow)
         rows.addRow(translate("HexCon", "Order"), self.order)
         rows.addRow(translate("HexCon", "Time limit"), self.budget)
         rows.addRow(self.allow_topological)
@@ -110,6 +119,7 @@ class Filling:
         """Show what matters for the method."""
         method = self.chosen()
         self.layers.setEnabled(method.layers)
+        self.pillow.setEnabled(method.pillow)
         topological = method.topological
         self.allow_topological.setVisible(topological)
         if not topological:  # what nobody sees is not ticked for the next time
@@ -121,17 +131,19 @@ class Filling:
         return METHOD_TABLE[self.method.currentData()]
 
     def settings(self):
-        """dict: method, layers, order, budget, as the calls of actions.py take them."""
+        """dict: method, layers, pillow, order, budget, as the calls of actions.py take them."""
         method = self.chosen()
         return {"method": method.name,
                 "layers": self.layers.value() if method.layers else 0,
+                "pillow": self.pillow.currentData() if method.pillow else "auto",
                 "order": self.order.currentData(), "budget": float(self.budget.value())}
 
-    def show_settings(self, method, layers, order, budget, allow_topological=False):
+    def show_settings(self, method, layers, order, budget, allow_topological=False, pillow="auto"):
         """Set the widgets."""
         choose(self.method, method)
         self.layers.setValue(layers)
         choose(self.order, order)
+        choose(self.pillow, str(pillow))
         self.budget.setValue(int(budget))
         self.allow_topological.setChecked(allow_topological)
 
@@ -148,7 +160,7 @@ class Filling:
                 FaultCode.TOPOLOGICAL_MESH)
 
     def enable(self, enabled):
-        for widget in (self.method, self.layers, self.order, self.budget, self.allow_topological):
+        for widget in (self.method, self.layers, self.pillow, self.order, self.budget, self.allow_topological):
             widget.setEnabled(enabled)
         if enabled:
             self.follow_method()
@@ -173,6 +185,8 @@ def written(settings, allowed=False):
     """The settings as keywords in a Python call; what has its default value is left out but for
     method, layers and order."""
     said = [f"method={settings['method']!r}", f"layers={settings['layers']!r}", f"order={settings['order']!r}"]
+    if settings["pillow"] != "auto":
+        said.append(f"pillow={settings['pillow']!r}")
     if settings["budget"]:
         said.append(f"budget={settings['budget']!r}")
     if allowed:

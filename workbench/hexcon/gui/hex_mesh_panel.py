@@ -43,7 +43,7 @@ class HexMeshPanel(Panel):
         if self.edited:
             mesh = self.about()
             self.filling.show_settings(mesh.Method, mesh.Layers, int(mesh.Order), mesh.Budget,
-                                       mesh.AllowTopological)
+                                       mesh.AllowTopological, mesh.Pillow)
         else:
             self.filling.show_settings(preferences.value("Method"), 0, preferences.value("Order"), 0)
         rows.addRow("", self.expected)
@@ -86,6 +86,7 @@ class HexMeshPanel(Panel):
         said = written(self._used, self._allowed or self.edited and self.about().AllowTopological)
         if self.edited:
             said = said.replace("allow_topological=True", f"allow_topological={self._allowed!r}")
+            said += "" if self._used["pillow"] != "auto" else ", pillow='auto'"
             said += "" if self._used["budget"] else ", budget=0.0"
         call = "update_hex_mesh" if self.edited else "make_hex_mesh"
         FreeCADGui.addModule("hexcon.gui.actions")

@@ -11,6 +11,9 @@ from hexcon_native import METHOD_TABLE
 from .fillable import fillable
 from .lengths import lengths_of
 
+PILLOWS = {"auto": QT_TRANSLATE_NOOP("HexCon", "automatic"), "never": QT_TRANSLATE_NOOP("HexCon", "none"),
+           "1": QT_TRANSLATE_NOOP("HexCon", "one sheet"), "2": QT_TRANSLATE_NOOP("HexCon", "two sheets"),
+           "3": QT_TRANSLATE_NOOP("HexCon", "three sheets")}
 ORDERS = {1: QT_TRANSLATE_NOOP("HexCon", "first order (C3D8)"),
           2: QT_TRANSLATE_NOOP("HexCon", "second order (C3D20)")}
 MOST_LISTED = 10

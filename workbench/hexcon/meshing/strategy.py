@@ -30,7 +30,7 @@ _ENDS_ALL = (ErrorCode.CANCELLED, ErrorCode.OUT_OF_TIME, ErrorCode.OUT_OF_MEMORY
 # fewer hexes of them, and to look for layers takes longer than to dice.
 _DICED_FIRST = 600
 
-_CHECKED = ("order", "layers", "threads", "pairing", "budget")    # what hexcon_native.check_options looks at
+_CHECKED = ("order", "layers", "threads", "pairing", "pillow", "budget")    # what hexcon_native.check_options looks at
 
 
 @dataclass(frozen=True)

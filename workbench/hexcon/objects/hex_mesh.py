@@ -7,6 +7,7 @@ from hexcon.femmesh.document import mark_topological
 from hexcon.inspection.stages import counts_of
 from hexcon.meshing import Strategy
 from hexcon.meshing.strategy import is_worth_another
+from hexcon.pillows import CHOICES, pillow_of
 from hexcon.topological import is_topological, refuse_topological_method
 from hexcon_native import METHOD_CHOICES, methods_that
 
@@ -21,6 +22,8 @@ PROPERTIES = (
     ("App::PropertyEnumeration", "Method", "HexCon", "How the surface is filled", tuple(METHOD_CHOICES), False),
     ("App::PropertyInteger", "Layers", "HexCon", "At least so many layers of plain hexes under the surface; for "
      f"methods {', '.join(methods_that(lambda method: method.layers))}", 0, False),
+    ("App::PropertyEnumeration", "Pillow", "HexCon", "Sheets of hexes under the whole surface: one where it makes a "
+     "poor worst hex clearly better, none, or so many; not for methods of topology only", CHOICES, False),
     ("App::PropertyEnumeration", "Order", "HexCon", "1: C3D8, 2: C3D20 with straight edges", ORDERS, False),
     ("App::PropertyFloat", "Budget", "HexCon", "Seconds after which the best mesh until then is taken; 0: no limit",
      0.0, False),
@@ -41,11 +44,12 @@ PROPERTIES = (
      "one another", None, True),
     ("App::PropertyStringList", "Log", "Result", "What was tried", None, True),
 )
-SETTINGS = {"surface": "Surface", "method": "Method", "layers": "Layers", "order": "Order", "budget": "Budget",
+SETTINGS = {"surface": "Surface", "method": "Method", "layers": "Layers", "pillow": "Pillow", "order": "Order", "budget": "Budget",
             "allow_topological": "AllowTopological", "try_other_surfaces": "TryOtherSurfaces"}
 
 
-def job_of(surface, method="auto", layers=0, order=1, budget=0.0, allow_topological=False, try_other_surfaces=False):
+def job_of(surface, method="auto", layers=0, order=1, budget=0.0, allow_topological=False, try_other_surfaces=False,
+           pillow="auto"):
     """(fingerprint, job(progress) -> Mesh); surface is a quad surface object.
 
     try_other_surfaces  go the way from the solid: see meshing.Strategy. The mesh's .surface may be another then
@@ -53,9 +57,9 @@ def job_of(surface, method="auto", layers=0, order=1, budget=0.0, allow_topologi
     """
     refuse_topological_method(method, allow_topological)
     strategy = Strategy(method, surface.Method, timeout=TIMEOUT, layers=layers, order=order, budget=budget,
-                        threads=preferences.value("Threads"), allow_topological=allow_topological)
+                        pillow=pillow_of(pillow), threads=preferences.value("Threads"), allow_topological=allow_topological)
     held = surface_of(surface)
-    mark = mark_of(held, method, layers, order, budget)
+    mark = mark_of(held, method, layers, order, budget, pillow=pillow)
     if not (try_other_surfaces and hasattr(surface.Source, "Shape")):
         return mark, lambda progress: strategy.of_surface(held, progress=progress)
     shape, size, first = solid_shape(surface.Source), surface.Size.Value, held if held.tried == 0 else None
@@ -64,10 +68,11 @@ def job_of(surface, method="auto", layers=0, order=1, budget=0.0, allow_topologi
     return mark, lambda progress: strategy.of_solid(shape, size, progress=progress, first=first)
 
 
-def mark_of(surface, method="auto", layers=0, order=1, budget=0.0, allow_topological=False, try_other_surfaces=False):
+def mark_of(surface, method="auto", layers=0, order=1, budget=0.0, allow_topological=False, try_other_surfaces=False,
+            pillow="auto"):
     """The fingerprint for a QuadSurface. What is allowed, or might have been tried, changes no mesh of it."""
-    return fingerprint(surface.points, surface.quads, surface.face_of_quad, method, int(layers), int(order),
-                       float(budget))
+    settings = (method, int(layers), int(order), float(budget), *([str(pillow)] if pillow != "auto" else []))
+    return fingerprint(surface.points, surface.quads, surface.face_of_quad, *settings)
 
 
 class HexMeshObject(Parametric):
@@ -89,13 +94,14 @@ class HexMeshObject(Parametric):
         if not is_quad_surface(obj.Surface):
             raise ToolError(f"{obj.Surface.Label} is no quad surface", FaultCode.BAD_SHAPE)
         return job_of(obj.Surface, obj.Method, obj.Layers, int(obj.Order), obj.Budget, obj.AllowTopological,
-                      obj.TryOtherSurfaces)
+                      obj.TryOtherSurfaces, obj.Pillow)
 
     def take(self, obj, result, mark):
-        before, settings = obj.MadeFrom, (obj.Method, obj.Layers, int(obj.Order), obj.Budget)
-        if mark_of(result.surface, *settings) != mark or result.surface.tried != obj.Surface.Tried:
+        before, settings = obj.MadeFrom, {"method": obj.Method, "layers": obj.Layers, "order": int(obj.Order),
+                                          "budget": obj.Budget, "pillow": obj.Pillow}
+        if mark_of(result.surface, **settings) != mark or result.surface.tried != obj.Surface.Tried:
             take_another(obj.Surface, result.surface)
-            mark = mark_of(surface_of(obj.Surface), *settings)
+            mark = mark_of(surface_of(obj.Surface), **settings)
         super().take(obj, result, mark)
         if before not in ("", mark):
             old_results.mark(obj, before, mark)
@@ -140,4 +146,4 @@ def add_hex_mesh(document, mesh, surface_object, settings, name="HexMesh"):
 def set_settings(obj, settings):
     """Set the inputs by job_of's names."""
     for key, value in settings.items():
-        setattr(obj, SETTINGS[key], str(value) if key == "order" else value)
+        setattr(obj, SETTINGS[key], str(value) if key in ("order", "pillow") else value)

@@ -84,18 +84,24 @@ void filled_mesh_hand_over(filled_mesh *from, double bound, size_t quad_count, h
   memset(from, 0, sizeof *from);
 }
 
+hexcon_status filled_mesh_improve_free(hexcon_context *context, const uint8_t *fixed,
+                                       const hexcon_optimize_options *options, filled_mesh *mesh) {
+  size_t rounds = 0;
+  hexcon_status status = improve_mesh(context, mesh->points, mesh->point_count, mesh->hexes,
+                                      mesh->hex_count, fixed, options, &rounds);
+  mesh->rounds += rounds;
+  hexcon_status measured =
+      mesh_stop(context, status) ? filled_mesh_measure(context, mesh) : HEXCON_OK;
+  return measured ? measured : status;
+}
+
 hexcon_status filled_mesh_improve(hexcon_context *context, size_t fixed_count,
                                   const hexcon_optimize_options *options, filled_mesh *mesh) {
   uint8_t *fixed = context_allocate_zeroed(context, mesh->point_count, sizeof *fixed);
   if (!fixed)
     return HEXCON_OUT_OF_MEMORY;
   memset(fixed, 1, fixed_count);
-  size_t rounds = 0;
-  hexcon_status status = improve_mesh(context, mesh->points, mesh->point_count, mesh->hexes,
-                                      mesh->hex_count, fixed, options, &rounds);
-  mesh->rounds += rounds;
+  hexcon_status status = filled_mesh_improve_free(context, fixed, options, mesh);
   context_free(context, fixed);
-  hexcon_status measured =
-      mesh_stop(context, status) ? filled_mesh_measure(context, mesh) : HEXCON_OK;
-  return measured ? measured : status;
+  return status;
 }

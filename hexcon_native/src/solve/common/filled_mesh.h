@@ -57,4 +57,8 @@ void filled_mesh_hand_over(filled_mesh *from, double bound, size_t quad_count, h
 hexcon_status filled_mesh_improve(hexcon_context *context, size_t fixed_count,
                                   const hexcon_optimize_options *options, filled_mesh *mesh);
 
+/** The same with any points at rest. @param fixed [point_count] non-zero: the point stays */
+hexcon_status filled_mesh_improve_free(hexcon_context *context, const uint8_t *fixed,
+                                       const hexcon_optimize_options *options, filled_mesh *mesh);
+
 #endif

@@ -7,6 +7,11 @@
 #include "raise_order.h"
 
 void mesh_note(hexcon_mesh *mesh, const char *name, double value) {
+  for (size_t i = 0; i < mesh->figure_count; i++)
+    if (strcmp(mesh->figures[i].name, name) == 0) {
+      mesh->figures[i].value = value;
+      return;
+    }
   if (mesh->figure_count == MAX_FIGURES)
     return;
   hexcon_figure *figure = &mesh->figures[mesh->figure_count++];
@@ -58,6 +63,24 @@ void mesh_note_hexes(hexcon_mesh *mesh, hex_stage stage, size_t hexes) {
   char name[48];
   (void)snprintf(name, sizeof name, "hexes of %s", hexcon_hex_stage(stage)->name);
   mesh_note(mesh, name, (double)hexes);
+}
+
+static bool tells_stages(const hexcon_mesh *mesh) {
+  for (size_t i = 0; i < mesh->figure_count; i++)
+    if (strncmp(mesh->figures[i].name, "hexes of ", strlen("hexes of ")) == 0)
+      return true;
+  return false;
+}
+
+void mesh_note_outer_hexes(hexcon_mesh *mesh, hex_stage stage, size_t hexes) {
+  if (!tells_stages(mesh))
+    mesh_note_hexes(mesh, HEXES_OF_INSIDE, mesh->hex_count - hexes);
+  if (mesh->figure_count == MAX_FIGURES)
+    return;
+  mesh_note_hexes(mesh, stage, hexes);
+  hexcon_figure figure = mesh->figures[mesh->figure_count - 1];
+  memmove(mesh->figures + 1, mesh->figures, (mesh->figure_count - 1) * sizeof figure);
+  mesh->figures[0] = figure;
 }
 
 void mesh_note_hexes_of_one(hexcon_mesh *mesh, hex_stage stage, size_t number, size_t hexes) {

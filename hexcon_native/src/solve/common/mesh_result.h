@@ -27,7 +27,7 @@ struct hexcon_mesh {
 /** Free what a mesh holds; it is empty then. */
 void mesh_clear(hexcon_context *context, hexcon_mesh *mesh);
 
-/** Add a figure; those beyond MAX_FIGURES are dropped. */
+/** Set a figure, or add it; those beyond MAX_FIGURES are dropped. */
 void mesh_note(hexcon_mesh *mesh, const char *name, double value);
 
 /** Value of a figure; 0: there is none of that name. */
@@ -56,6 +56,10 @@ void mesh_note_seconds(hexcon_mesh *mesh, const char *stage, double start);
 
 /** Note "hexes of <stage>". */
 void mesh_note_hexes(hexcon_mesh *mesh, hex_stage stage, size_t hexes);
+
+/** Note "hexes of <stage>" of hexes that lie outside of all others, and come first; what is under
+ * them gets a stage of its own where the method has none. */
+void mesh_note_outer_hexes(hexcon_mesh *mesh, hex_stage stage, size_t hexes);
 
 /** Note "hexes of <stage> <number>": one of several stages of a kind. */
 void mesh_note_hexes_of_one(hexcon_mesh *mesh, hex_stage stage, size_t number, size_t hexes);
