@@ -113,7 +113,8 @@ static hexcon_status untangle(hexcon_context *context, relaxation *r) {
 
 /** Rounds towards right angles, from a mesh without inverted corners. */
 static hexcon_status square(hexcon_context *context, relaxation *r) {
-  const int rounds = 5, steps = 2;
+  const int rounds = 10;
+  const double still = 5e-4;
   hexcon_status status = HEXCON_OK;
   memcpy(r->p.x, r->best, 3 * r->p.free_count * sizeof *r->best);
   status = retract_all(context, r);
@@ -124,9 +125,11 @@ static hexcon_status square(hexcon_context *context, relaxation *r) {
     if (status)
       break;
     target_right_angles(&r->p);
-    (void)newton_descend(&r->n, &r->p, &options, 1e-3, steps);
+    double decrease = newton_step(&r->n, &r->p, &options);
     status = r->n.status;
     (void)keep_best(context, r);
+    if (decrease < still)
+      break;
   }
   return status;
 }
