@@ -13,7 +13,7 @@ FLOORS = (
     ("femmesh", "tetrahedra"),
     ("files",),
     ("quads",),
-    ("calculix", "examples", "inspection", "judging", "meshing"),
+    ("calculix", "examples", "inspection", "judging", "meshing", "smoothing"),
     ("pictures",),
     ("objects",),
     ("document",),

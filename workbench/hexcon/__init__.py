@@ -9,9 +9,10 @@ from hexcon_native import HexconError, Mesh, __version__
 from .errors import FaultCode, ToolError
 from .examples import example, example_names
 from .meshing import mesh_quad_surface, mesh_solid, mesh_surface
+from .smoothing import smooth
 
 __all__ = ["FaultCode", "HexconError", "Mesh", "ToolError", "__version__", "example", "example_names",
-           "mesh_quad_surface", "mesh_solid", "mesh_surface", "solve", "to_femmesh", "write"]
+           "mesh_quad_surface", "mesh_solid", "mesh_surface", "smooth", "solve", "to_femmesh", "write"]
 
 
 def to_femmesh(mesh, order=None, *, allow_topological=False):

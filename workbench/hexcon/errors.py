@@ -35,6 +35,9 @@ class FaultCode(enum.Enum):
     ODD_SURFACE = ("odd surface", "the number of quads is odd whatever the size", "", "take a subdivided surface")
     OFF_CAD = ("points off the CAD surface", "points lie further than 1e-7 from their CAD faces", "points",
                "mend the solid's geometry, or take another size")
+    NOT_ON_SOLID = ("mesh not on the solid", "points of a mesh's boundary do not lie on the solid that it is to be "
+                    "smoothed on", "points", "give the solid that the mesh was made for, a larger tolerance, or keep "
+                    "such points where they are")
     BAD_SHAPE = ("bad shape", "there is no solid, or there are several, or its geometry is invalid", "points or quads",
                  "give one valid, closed solid; Part, Check geometry tells what is wrong with it")
     BAD_OPTION = ("bad option", "an option is unknown or out of its range", "", "give what the message asks for")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command line: hexcon mesh | check | info | example | solve.
+"""The command line: hexcon mesh | check | smooth | info | example | solve.
 
-Exit status: 0 done; 1 a fault (its words on standard error); 2 wrong usage; 3 `check` found the
-mesh not certified; 129, 130, 143 ended by SIGHUP, SIGINT, SIGTERM; 141 nobody read the answer to its end.
+Exit status: 0 done; 1 a fault (its words on standard error); 2 wrong usage; 3 the mesh that `check` or `smooth`
+tells of is not certified; 129, 130, 143 ended by SIGHUP, SIGINT, SIGTERM; 141 nobody read the answer to its end.
 """
 import json
 
@@ -26,7 +26,7 @@ def main(arguments=None):
     """Run one command; returns the exit status. Raises KeyboardInterrupt."""
     options = parse(arguments)
     try:
-        paths = [options.input, *(getattr(options, "output", None) or [])]
+        paths = [options.input, *filter(None, [getattr(options, "solid", None)]), *(getattr(options, "output", None) or [])]
         if in_freecad.needs_freecad(paths) and not in_freecad.can_import_freecad():
             status = in_freecad.rerun(arguments)
             if status is not None:
@@ -36,7 +36,7 @@ def main(arguments=None):
         _tell_fault(fault, options.json)
         return EXIT_FAULT
     say(json.dumps(facts) if options.json else "\n".join(lines))
-    failed = options.command == "check" and not facts["certified"]
+    failed = options.command in ("check", "smooth") and not facts["certified"]
     return EXIT_NOT_CERTIFIED if failed else EXIT_DONE
 
 

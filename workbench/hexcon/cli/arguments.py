@@ -110,6 +110,24 @@ def _add_check(commands_parser):
     command.set_defaults(run=commands.check)
 
 
+def _add_smooth(commands_parser):
+    command = commands_parser.add_parser(
+        "smooth", help="smooth a hex mesh on its solid: points slide on faces and edges", epilog=_EXIT,
+        description=f"MESH is any hex mesh ({' '.join(shown(READERS))}) of SOLID "
+                    f"({' '.join(shown(commands.SOLID_ENDINGS))}). The mesh that is written is never worse than the one given.")
+    command.add_argument("input", metavar="MESH")
+    command.add_argument("solid", metavar="SOLID")
+    command.add_argument("-o", "--output", metavar="OUT", action="append", default=[],
+                         help="may be given several times; without it: only what could be had is told")
+    command.add_argument("--tolerance", type=float, default=0.0, metavar="T",
+                         help="how far a point of the boundary may be off the solid (default: 1/100 of the edges about it)")
+    command.add_argument("--keep", action="store_true",
+                         help="keep boundary points that lie on nothing where they are, instead of refusing the mesh")
+    command.add_argument("--timeout", type=float, default=120.0, metavar="S",
+                         help="seconds for finding the boundary on the solid and relaxing (default 120)")
+    command.set_defaults(run=commands.smooth)
+
+
 def _add_info(commands_parser):
     command = commands_parser.add_parser("info", help="facts of a quad surface", epilog=_EXIT)
     command.add_argument("input", metavar="SURFACE", help="a file, or example:NAME")
@@ -158,7 +176,7 @@ def parse(arguments=None):
         prog="hexcon", epilog=_EXIT,
         description="Hexahedral meshes whose boundary is exactly a given quad surface.")
     commands_parser = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    for add in (_add_mesh, _add_check, _add_info, _add_example, _add_solve):
+    for add in (_add_mesh, _add_check, _add_smooth, _add_info, _add_example, _add_solve):
         add(commands_parser)
     for command in commands_parser.choices.values():
         command.add_argument("--json", action="store_true", help="one JSON object for machines")

@@ -18,6 +18,7 @@ from ..judging.report import check_mesh
 from ..meshing import mesh_quad_surface, mesh_solid
 from ..quads import surface_from_file
 from ..quads.solids import CAD_ENDINGS
+from ..smoothing import smooth as smooth_mesh
 from ..topological import BY_OPTION, MEANING, is_topological, refuse_topological_method
 
 SOLID_ENDINGS = (*CAD_ENDINGS, ".fcstd")
@@ -175,8 +176,7 @@ def check(options):
     for name, ids in (("not positive", certificate.nonpositive),
                       ("improper", certificate.improper), ("curved", curved)):
         if len(ids):
-            lines.append(f"{name:13} hexes {', '.join(map(str, ids[:20]))}"
-                         f"{' ...' if len(ids) > 20 else ''}")
+            lines.append(f"{name:13} hexes {_ids(ids)}")
     if len(certificate.crossings):
         lines.append(f"overlapping   {_pairs(certificate.crossings)}")
     return ({"points": len(found.points), "hexes": len(found.hexes), "order": found.order,
@@ -213,6 +213,36 @@ def _match_surface(points, surface):
         raise ToolError(f"{len(strangers)} points of the surface (listed) are no points of the "
                         "mesh", FaultCode.FILE_FORMAT, strangers)
     return ids[surface.quads]
+
+
+def smooth(options):
+    """hexcon smooth MESH SOLID [-o OUT]"""
+    check_outputs(options, WRITERS)
+    given = read_mesh(options.input)
+    found = smooth_mesh(given, options.solid, tolerance=options.tolerance, keep=options.keep, timeout=options.timeout)
+    for path in options.output:
+        write(found, path, order=given.order)
+    counts = np.bincount(found.dimension[np.unique(found.quads)], minlength=4)
+    lines = [f"mesh          {len(found.hexes)} hexes, {len(found.points)} points, {len(found.quads)} boundary quads",
+             f"boundary      {counts[0]} points at corners of the solid, {counts[1]} on edges, {counts[2]} on faces; up to "
+             f"{found.off.max():.3g} off before",
+             *(f"              {note}" for note in found.notes)]
+    if len(found.kept):
+        lines.append(f"kept          {len(found.kept)} points that lie on nothing: {_ids(found.kept)}")
+    lines += [_quality_line(found.before).replace("quality", "before ", 1),
+              _quality_line(found.quality) if found.improved else "quality       no better mesh was found: it stays as it is",
+              _lengths_line(lengths_of(found.points, found.hexes)), _certificate_line(found.certificate, 1),
+              *(f"written       {path}" for path in options.output)]
+    return ({"points": len(found.points), "hexes": len(found.hexes), "quads": len(found.quads), "improved": found.improved,
+             "before": found.before.as_dict(), "quality": found.quality.as_dict(),
+             "at_corners": int(counts[0]), "on_edges": int(counts[1]), "on_faces": int(counts[2]),
+             "off": float(found.off.max()), "kept": found.kept[:1000].tolist(), "notes": found.notes,
+             "certificate": found.certificate.as_dict(), "certified": bool(found.certificate.certified),
+             "written": options.output}, lines)
+
+
+def _ids(ids):
+    return f"{', '.join(map(str, ids[:20]))}{' ...' if len(ids) > 20 else ''}"
 
 
 def info(options):

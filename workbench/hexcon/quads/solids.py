@@ -36,12 +36,12 @@ def surface_from_solid(shape_or_file, size, method="auto", *, care=0, timeout=12
     TOOL_FAILED, NOT_SWEEPABLE, NOT_BLOCKS, NOT_TRANSFINITE, NOT_ALL_QUAD, ODD_SURFACE, OFF_CAD.
     """
     _check_options(size, method, timeout)
-    source, numbers_of = _source(shape_or_file, progress)
+    source, numbers_of = source_of(shape_or_file, progress)
     try:
         found = run_job("gmsh_worker", source, {"method": method, "size": float(size), "care": int(care)}, timeout,
                         progress)
     except ToolError as fault:
-        raise _naming_file(fault, shape_or_file) from fault
+        raise naming_file(fault, shape_or_file) from fault
     notes = [str(n) for n in found["notes"]]
     _check_distance(found, notes)
     faces = found["faces"]
@@ -55,13 +55,19 @@ def surface_from_solid(shape_or_file, size, method="auto", *, care=0, timeout=12
 def _check_options(size, method, timeout):
     if method not in METHODS:
         raise ToolError(f"unknown method {method!r}; there are {', '.join(METHODS)}", FaultCode.BAD_OPTION)
-    for name, value in (("size", size), ("timeout", timeout)):
-        try:
-            good = math.isfinite(float(value)) and float(value) > 0.0
-        except (TypeError, ValueError):
-            good = False
-        if not good:
-            raise ToolError(f"{name} must be a finite number above zero, not {value!r}", FaultCode.BAD_OPTION)
+    check_number("size", size)
+    check_number("timeout", timeout)
+
+
+def check_number(name, value, at_least_zero=False):
+    """Raise BAD_OPTION unless an option is a finite number above zero, or of at least zero."""
+    try:
+        good = math.isfinite(float(value)) and (float(value) > 0.0 or at_least_zero and float(value) == 0.0)
+    except (TypeError, ValueError):
+        good = False
+    if not good:
+        least = "of at least zero" if at_least_zero else "above zero"
+        raise ToolError(f"{name} must be a finite number {least}, not {value!r}", FaultCode.BAD_OPTION)
 
 
 def _check_distance(found, notes):
@@ -78,13 +84,13 @@ def _check_distance(found, notes):
         notes.append(f"the CAD's edges and corners are up to {gap:.3g} off its faces; points there lie on them")
 
 
-def _naming_file(fault, shape_or_file):
+def naming_file(fault, shape_or_file):
     """The fault, with the file's name in it where there is a file."""
     path = os.fsdecode(shape_or_file) if isinstance(shape_or_file, (str, os.PathLike)) else ""
     return fault if path in str(fault) else ToolError(f"{path}: {fault}", fault.code, fault.elements)
 
 
-def _source(shape_or_file, progress):
+def source_of(shape_or_file, progress):
     """(callable(folder) -> CAD path, callable() -> face numbers of the caller's shape, None if they are 1, 2, 3, ...);
     the second is called after the first."""
     if not isinstance(shape_or_file, (str, os.PathLike)):
@@ -106,7 +112,7 @@ def _source(shape_or_file, progress):
 
 
 def _of_document(path, progress):
-    """As _source, of a .FCStd file."""
+    """As source_of, of a .FCStd file."""
     numbers = []
 
     def write(folder):

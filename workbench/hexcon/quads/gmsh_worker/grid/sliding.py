@@ -9,6 +9,30 @@ import hexcon_native as hn
 FREE, STAYS = -1, -2        # of hexcon.h
 
 
+class FeatureCarriers:
+    """What points slide on that lie on the features' curves and patches.
+
+    rows      list of hexcon_native.Carrier: of the curves first, then of the patches
+    curves    number of curves
+    """
+
+    def __init__(self, features):
+        self._features, self.curves = features, len(features.curves)
+        self.rows = [_of_curve(features, c) for c in range(self.curves)] + \
+            [_of_patch(features, p, self.curves) for p in range(len(features.patches))]
+
+    def project(self, points, tags):
+        """Places and directions on those without a closed form, as hexcon_native.relax asks for them."""
+        places, directions = np.empty_like(points), np.empty_like(points)
+        for tag in np.unique(tags):
+            rows = np.flatnonzero(tags == tag)
+            if tag < self.curves:
+                places[rows], directions[rows] = self._features.curves[tag].project(points[rows])
+            else:
+                places[rows], directions[rows], _ = self._features.patches[tag - self.curves].project(points[rows])
+        return places, directions
+
+
 class Sliding:
     """Corners stay, points of curves and patches slide on them, all others are free.
 
@@ -18,8 +42,7 @@ class Sliding:
     """
 
     def __init__(self, mesh, features):
-        self._features = features
-        curves, patches = len(features.curves), len(features.patches)
+        self._corners, self._on, curves = features.corners, FeatureCarriers(features), len(features.curves)
         self.chains = [mesh.chain(features, c) for c in range(curves)]
         self.carrier_of_point = np.full(len(mesh.points), FREE)
         self.carrier_of_point[mesh.quads] = curves + mesh.patch[:, None]
@@ -27,34 +50,20 @@ class Sliding:
             self.carrier_of_point[chain] = c
         self.carrier_of_point[mesh.corner_vertex] = STAYS
         self._hexes, self.corner_vertex = mesh.hexes, mesh.corner_vertex
-        self.carriers = [_of_curve(features, c) for c in range(curves)] + \
-            [_of_patch(features, p, curves) for p in range(patches)]
 
     def on_patch(self):
         """(n,) points that slide on patches."""
-        return np.flatnonzero(self.carrier_of_point >= len(self._features.curves))
+        return np.flatnonzero(self.carrier_of_point >= self._on.curves)
 
     def project(self, points):
         """(P,3) with every point of the boundary on what it slides on, corners at their places."""
         points = points.copy()
-        points[self.corner_vertex] = self._features.corners
-        return hn.project_points(points, self.carrier_of_point, self.carriers, project=self._others)[0]
+        points[self.corner_vertex] = self._corners
+        return hn.project_points(points, self.carrier_of_point, self._on.rows, project=self._on.project)[0]
 
     def relax(self, points, **options):
         """hexcon_native.relax of these points."""
-        return hn.relax(points, self._hexes, self.carrier_of_point, self.carriers, project=self._others, **options)
-
-    def _others(self, points, tags):
-        """Places and directions on curves and patches without a closed form of their own."""
-        places, directions = np.empty_like(points), np.empty_like(points)
-        curves = len(self._features.curves)
-        for tag in np.unique(tags):
-            rows = np.flatnonzero(tags == tag)
-            if tag < curves:
-                places[rows], directions[rows] = self._features.curves[tag].project(points[rows])
-            else:
-                places[rows], directions[rows], _ = self._features.patches[tag - curves].project(points[rows])
-        return places, directions
+        return hn.relax(points, self._hexes, self.carrier_of_point, self._on.rows, project=self._on.project, **options)
 
 
 def _of_curve(features, c):
