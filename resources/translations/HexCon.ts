@@ -913,7 +913,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Grid: moving all points</source>
+        <source>Moving all points, which slide on the solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smoothing: where the mesh lies on the solid</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -51,7 +51,8 @@ def pipe_carrier(sides):
 def shell(u):
     """An eighth of a shell between spheres of radii 2 and 3, without its pole."""
     radius, angle, polar = 2 + u[:, 0], RIGHT * u[:, 1], 1.5 - u[:, 2]
-    return radius[:, None] * np.stack([np.sin(polar) * np.cos(angle), np.sin(polar) * np.sin(angle), np.cos(polar)], axis=1)
+    out = np.sin(polar)
+    return radius[:, None] * np.stack([out * np.cos(angle), out * np.sin(angle), np.cos(polar)], axis=1)
 
 
 def shell_carrier(sides):
@@ -68,7 +69,9 @@ def shell_carrier(sides):
         return hn.Carrier("line", (0, 0, 0), slanted)
     if outer[0]:
         return hn.Carrier("sphere", (0, 0, 0), sizes=(radius,))
-    return hn.Carrier("plane", (0, 0, 0), (*out[::-1], 0)) if outer[1] else hn.Carrier("cone", (0, 0, 0), (0, 0, 1), sizes=(polar,))
+    if outer[1]:
+        return hn.Carrier("plane", (0, 0, 0), (*out[::-1], 0))
+    return hn.Carrier("cone", (0, 0, 0), (0, 0, 1), sizes=(polar,))
 
 
 def bend(u):

@@ -136,7 +136,8 @@ def test_faults():
     assert fault(of_point=np.where(np.arange(len(points)) == 4, -3, carrier_of_point)) == (Code.INDEX_OUT_OF_RANGE, [4])
     assert fault(of_point=np.where(np.arange(len(points)) == 4, 99, carrier_of_point)) == (Code.INDEX_OUT_OF_RANGE, [4])
     for wrong in (None, "plane", hn.Carrier("plain"), hn.Carrier("plane", (0, 0)), hn.Carrier("plane", axis=(0, 0, 0)),
-                  hn.Carrier("sphere", sizes=(-1,)), hn.Carrier("surface"), [], [hn.Carrier("plane"), hn.Carrier("line")],
+                  hn.Carrier("sphere", sizes=(-1,)), hn.Carrier("surface"), [],
+                  [hn.Carrier("plane"), hn.Carrier("line")],
                   hn.Carrier("plane", tag=0.5), hn.Carrier("sphere", sizes=())):
         assert fault(on=[*carriers[:3], wrong, *carriers[4:]])[0] == Code.BAD_ARGUMENT, wrong
     asked, lying = [*carriers, hn.Carrier("curve")], carrier_of_point.copy()

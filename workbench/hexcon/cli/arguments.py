@@ -27,7 +27,7 @@ def methods_help(table):
     return "; ".join(f"{name}: {row.purpose}" for name, row in table.items()).replace("%", "%%")
 
 
-_EXIT = ("exit status: 0 done; 1 a fault, its words on standard error; 2 wrong usage; 3 check: not "
+_EXIT = ("exit status: 0 done; 1 a fault, its words on standard error; 2 wrong usage; 3 check, smooth: not "
          "certified; 129, 130, 143 ended by SIGHUP, SIGINT, SIGTERM: no file is half written; 141 nobody read the "
          "answer to its end")
 
@@ -114,15 +114,17 @@ def _add_smooth(commands_parser):
     command = commands_parser.add_parser(
         "smooth", help="smooth a hex mesh on its solid: points slide on faces and edges", epilog=_EXIT,
         description=f"MESH is any hex mesh ({' '.join(shown(READERS))}) of SOLID "
-                    f"({' '.join(shown(commands.SOLID_ENDINGS))}). The mesh that is written is never worse than the one given.")
+                    f"({' '.join(shown(commands.SOLID_ENDINGS))}). The mesh that is written is never worse than the "
+                    "one given.")
     command.add_argument("input", metavar="MESH")
     command.add_argument("solid", metavar="SOLID")
     command.add_argument("-o", "--output", metavar="OUT", action="append", default=[],
                          help="may be given several times; without it: only what could be had is told")
     command.add_argument("--tolerance", type=float, default=0.0, metavar="T",
-                         help="how far a point of the boundary may be off the solid (default: 1/100 of the edges about it)")
+                         help="how far a point of the boundary may be off the solid (default: 1/100 of the edges "
+                              "about it)")
     command.add_argument("--keep", action="store_true",
-                         help="keep boundary points that lie on nothing where they are, instead of refusing the mesh")
+                         help="keep boundary points that lie on nothing where they are; without it the mesh is refused")
     command.add_argument("--timeout", type=float, default=120.0, metavar="S",
                          help="seconds for finding the boundary on the solid and relaxing (default 120)")
     command.set_defaults(run=commands.smooth)

@@ -222,23 +222,22 @@ def smooth(options):
     found = smooth_mesh(given, options.solid, tolerance=options.tolerance, keep=options.keep, timeout=options.timeout)
     for path in options.output:
         write(found, path, order=given.order)
-    counts = np.bincount(found.dimension[np.unique(found.quads)], minlength=4)
+    corners, edges, faces, _ = np.bincount(found.dimension[np.unique(found.quads)], minlength=4).tolist()
+    off = float(found.off.max())
+    kept = [f"kept          {len(found.kept)} points that lie on nothing: {_ids(found.kept)}"] if len(found.kept) else []
+    after = _quality_line(found.quality) if found.improved else "quality       no better mesh was found: it stays as it is"
     lines = [f"mesh          {len(found.hexes)} hexes, {len(found.points)} points, {len(found.quads)} boundary quads",
-             f"boundary      {counts[0]} points at corners of the solid, {counts[1]} on edges, {counts[2]} on faces; up to "
-             f"{found.off.max():.3g} off before",
-             *(f"              {note}" for note in found.notes)]
-    if len(found.kept):
-        lines.append(f"kept          {len(found.kept)} points that lie on nothing: {_ids(found.kept)}")
-    lines += [_quality_line(found.before).replace("quality", "before ", 1),
-              _quality_line(found.quality) if found.improved else "quality       no better mesh was found: it stays as it is",
-              _lengths_line(lengths_of(found.points, found.hexes)), _certificate_line(found.certificate, 1),
-              *(f"written       {path}" for path in options.output)]
-    return ({"points": len(found.points), "hexes": len(found.hexes), "quads": len(found.quads), "improved": found.improved,
-             "before": found.before.as_dict(), "quality": found.quality.as_dict(),
-             "at_corners": int(counts[0]), "on_edges": int(counts[1]), "on_faces": int(counts[2]),
-             "off": float(found.off.max()), "kept": found.kept[:1000].tolist(), "notes": found.notes,
-             "certificate": found.certificate.as_dict(), "certified": bool(found.certificate.certified),
-             "written": options.output}, lines)
+             f"boundary      {corners} points at corners of the solid, {edges} on edges, {faces} on faces; up to "
+             f"{off:.3g} off before",
+             *(f"              {note}" for note in found.notes), *kept,
+             _quality_line(found.before).replace("quality", "before ", 1), after,
+             _lengths_line(lengths_of(found.points, found.hexes)), _certificate_line(found.certificate),
+             *(f"written       {path}" for path in options.output)]
+    return ({"points": len(found.points), "hexes": len(found.hexes), "quads": len(found.quads),
+             "improved": found.improved, "before": found.before.as_dict(), "quality": found.quality.as_dict(),
+             "at_corners": corners, "on_edges": edges, "on_faces": faces, "off": off,
+             "kept": found.kept[:1000].tolist(), "notes": found.notes, "certificate": found.certificate.as_dict(),
+             "certified": bool(found.certificate.certified), "written": options.output}, lines)
 
 
 def _ids(ids):

@@ -31,7 +31,7 @@ def _run(job, link):
     start = points.copy()
     start[found.corner_point] = features.corners[found.corner]
     relaxed = hn.relax(start, hexes, found.carrier_of_point, on.rows, project=on.project, threads=1,
-                       budget=RELAXING * job["timeout"], progress=lambda stage, part: link.progress("relaxation", part))
+                       budget=RELAXING * job["timeout"], progress=lambda stage, part: link.progress("slide", part))
     return {"points": relaxed, "faces": found.faces, "dimension": found.dimension, "off": found.off,
             "kept": found.strays, "notes": np.array(found.notes, dtype=str)}
 
@@ -41,8 +41,8 @@ def _check(found, keep):
     strays, count = found.strays, found.boundary_count
     if not len(strays) or keep and 2 * len(strays) < count:
         return
-    raise WorkerFault("NOT_ON_SOLID", f"{len(strays)} of the {count} points of the mesh's boundary (listed) are off the "
-                      f"solid, by {found.off[strays].min():.3g} to {found.off[strays].max():.3g}, where at most "
+    raise WorkerFault("NOT_ON_SOLID", f"{len(strays)} of the {count} points of the mesh's boundary (listed) are off "
+                      f"the solid, by {found.off[strays].min():.3g} to {found.off[strays].max():.3g}, where at most "
                       f"{found.allowed[strays].min():.3g} to {found.allowed[strays].max():.3g} is taken for nearness",
                       strays)
 

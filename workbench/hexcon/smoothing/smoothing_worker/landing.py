@@ -53,6 +53,8 @@ def landed(features, on, points, quads, tolerance):
     gap = np.full(len(points), np.inf)
     for c, curve in enumerate(features.curves):
         rows = _near_curve(curve, points, left, allowed)
+        if not len(rows):
+            continue
         found = np.linalg.norm(curve.project(points[rows])[0] - points[rows], axis=1)
         better = (found <= allowed[rows]) & (found < gap[rows])
         rows = rows[better]
