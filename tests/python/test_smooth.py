@@ -130,7 +130,8 @@ def test_command_line(solids, tmp_path):
     assert off_carriers(given, again.points) < 1e-12
     assert set(again.face_of_quad) == set(range(1, 7))
     words = run("smooth", out, solids["pipe"])
-    assert words.returncode == 0 and "boundary      8 points at corners of the solid, 24 on edges, 24 on faces" in words.stdout
+    assert words.returncode == 0
+    assert "boundary      8 points at corners of the solid, 24 on edges, 24 on faces" in words.stdout
     wrong = run("smooth", source, solids["cube"])
     assert wrong.returncode == 1 and "NOT_ON_SOLID" in wrong.stderr
     assert run("smooth", source, solids["pipe"], "-o", source).returncode == 1

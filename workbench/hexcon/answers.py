@@ -52,7 +52,8 @@ RESULTS = {
         "notes": Array("s", ("notes",)), "hexes": Array("i", ("hexes", 8), 0, optional=True)},
     "smoothing_worker": {
         "points": Array("f", ("points", 3)), "faces": Array("i", ("quads",), 1),
-        "dimension": Array("i", ("points",), 0, 4), "off": Array("f", ("points",), 0), "kept": Array("i", ("kept",), 0, "points"), "notes": Array("s", ("notes",))},
+        "dimension": Array("i", ("points",), 0, 4), "off": Array("f", ("points",), 0),
+        "kept": Array("i", ("kept",), 0, "points"), "notes": Array("s", ("notes",))},
     "tetrahedra_worker": {**_tetrahedra_of("Delaunay"), **_tetrahedra_of("HXT")}}
 
 

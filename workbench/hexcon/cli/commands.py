@@ -224,8 +224,8 @@ def smooth(options):
         write(found, path, order=given.order)
     corners, edges, faces, _ = np.bincount(found.dimension[np.unique(found.quads)], minlength=4).tolist()
     off = float(found.off.max())
-    kept = [f"kept          {len(found.kept)} points that lie on nothing: {_ids(found.kept)}"] if len(found.kept) else []
-    after = _quality_line(found.quality) if found.improved else "quality       no better mesh was found: it stays as it is"
+    kept = [f"kept          {len(found.kept)} points that lie on nothing: {_ids(found.kept)}"] * bool(len(found.kept))
+    after = _quality_line(found.quality) if found.improved else "quality       no better mesh was found: it stays so"
     lines = [f"mesh          {len(found.hexes)} hexes, {len(found.points)} points, {len(found.quads)} boundary quads",
              f"boundary      {corners} points at corners of the solid, {edges} on edges, {faces} on faces; up to "
              f"{off:.3g} off before",

@@ -59,11 +59,12 @@ def smooth(mesh, shape_or_file, *, tolerance=0.0, keep=False, timeout=120.0, pro
                    the best so far
     progress       callable(stage, fraction); an exception from it cancels and comes out here
     Points near a corner of the solid are put there and stay; those near a sharp edge slide along it; all others slide
-    on their face and those that continue it smoothly (by less than 25 degrees). Then the inside is improved, the boundary
-    held (hexcon_native.optimize), and the mesh certified. The better mesh is returned: a certified one before one that
-    is not, fewer hexes that are not positive, the higher worst scaled Jacobian (what is above 0.3 counts the same),
-    the higher mean.
-    Raises HexconError: those of quads.surface_from_solid and files.read_mesh, BAD_MESH, NOT_ON_SOLID (elements: points).
+    on their face and those that continue it smoothly (by less than 25 degrees). Then the inside is improved with the
+    boundary held (hexcon_native.optimize), and the mesh certified. The better mesh is returned: a certified one before
+    one that is not, fewer hexes that are not positive, the higher worst scaled Jacobian (what is above 0.3 counts the
+    same), the higher mean.
+    Raises HexconError: those of quads.surface_from_solid and files.read_mesh, BAD_MESH, NOT_ON_SOLID (elements:
+    points).
     Cost: some Newton steps on the mesh, and for curves and patches without a closed form (splines; several faces) a
     projection by gmsh for each of their points and each step.
     """
