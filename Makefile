@@ -12,7 +12,8 @@
 # make parts   named parts with holes, cavities and notches: meshed, patch-tested and solved in FreeCADCmd
 # make csg     random CSG parts from solid to certificate, from seed CSG_FIRST on; goes on where it was stopped
 # make scoreboard  public quad surfaces filled, beside public hex meshes of them; SCOREBOARD_SURFACES: their folder,
-#              SCOREBOARD_LIMIT: processor seconds for each; writes docs/scoreboard.md; goes on where it was stopped
+#              SCOREBOARD_LIMIT: processor seconds for each, SCOREBOARD_JOBS: how many at once; writes docs/scoreboard.md;
+#              goes on where it was stopped
 # make measured  bench, compare, parts and csg, one after the other (hours), and docs/measured.md from their results
 # make fuzz    libFuzzer on the core's calls, with the sanitizers (clang); FUZZ_SECONDS: how long, FUZZ_RUNS: how often
 # make build   the core alone, in place
@@ -141,8 +142,10 @@ csg: setup-run build
 
 SCOREBOARD_SURFACES ?= ../shared/surfaces
 SCOREBOARD_LIMIT ?= 60
+SCOREBOARD_JOBS ?= 1
 scoreboard: setup-run build
-	@PYTHONPATH=.:workbench $(python) scripts/scoreboard.py $(SCOREBOARD_SURFACES) --limit $(SCOREBOARD_LIMIT) --page
+	@PYTHONPATH=.:workbench $(python) scripts/scoreboard.py $(SCOREBOARD_SURFACES) --limit $(SCOREBOARD_LIMIT) \
+	  --jobs $(SCOREBOARD_JOBS) --page
 
 # Each writes its result file first: what is there already of csg is kept (remove the file to measure anew).
 measured: setup-run build

@@ -18,6 +18,7 @@ import resource
 import subprocess
 import sys
 import time
+from concurrent import futures
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 GRACE = 1.25    # times the limit, in processor seconds: the budget ends a search before, a signal what does not end
@@ -67,23 +68,24 @@ def _busy():
 
 def in_its_own_process(path, options):
     """Figures of one surface, whatever becomes of the process."""
+    most = int(GRACE * options.limit) + 5
+
     def limits():
-        most = int(GRACE * options.limit) + 5
         resource.setrlimit(resource.RLIMIT_CPU, (most, most + 5))       # SIGXCPU, then SIGKILL
         resource.setrlimit(resource.RLIMIT_AS, (options.memory << 20,) * 2)
     command = [sys.executable, __file__, "--one", path, "--limit", str(options.limit)]
-    before = _processor_seconds()
     try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=20 * options.limit + 60, check=False,
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60 * options.limit + 600, check=False,
                               preexec_fn=limits)
-        lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
-        if not done.returncode and lines:
-            return json.loads(lines[-1])
-        words = {-24: "TIME_LIMIT"}.get(done.returncode, "MEMORY_LIMIT" if "MemoryError" in done.stderr else "CRASH")
-        message = done.stderr.strip()[-300:]
     except subprocess.TimeoutExpired:
-        words, message = "TIME_LIMIT", "not done by the clock"
-    return {"code": words, "message": message, "seconds": _processor_seconds() - before}
+        return {"code": "TIME_LIMIT", "message": "not done by the clock", "seconds": float(most)}
+    lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
+    if not done.returncode and lines:
+        return json.loads(lines[-1])
+    if done.returncode in (-24, -9):
+        return {"code": "TIME_LIMIT", "message": "not done within the limit", "seconds": float(most)}
+    return {"code": "MEMORY_LIMIT" if "MemoryError" in done.stderr else "CRASH", "message": done.stderr.strip()[-300:],
+            "seconds": 0.0}
 
 
 def witnesses(folder):
@@ -112,20 +114,22 @@ def already(path):
 
 
 def run(options):
-    """Measure what is not in the result file yet, small surfaces first; prints a line each."""
+    """Measure what is not in the result file yet, small surfaces first, some at once; prints a line each."""
     known, index = already(options.result), witnesses(options.folder)
     os.makedirs(os.path.dirname(options.result) or ".", exist_ok=True)
     files = sorted((name for name in os.listdir(options.folder) if name.endswith(".npz")),
                    key=lambda name: (os.path.getsize(os.path.join(options.folder, name)), name))
-    for number, file in enumerate(files, 1):
-        name = file[:-len(".npz")]
-        if name not in known:
-            found = in_its_own_process(os.path.join(options.folder, file), options)
+    left = [file for file in files if file[:-len(".npz")] not in known]
+    with futures.ThreadPoolExecutor(options.jobs) as pool:
+        running = {pool.submit(in_its_own_process, os.path.join(options.folder, file), options): file for file in left}
+        for done in futures.as_completed(running):
+            file = running[done]
+            name = file[:-len(".npz")]
             known[name] = {"name": name, "quads": 0, "genus": 0, "cavities": 0, "limit": options.limit,
-                           **index.get(file, {}), **found}
+                           **index.get(file, {}), **done.result()}
             with open(options.result, "a", encoding="utf-8") as stream:
                 stream.write(json.dumps(known[name]) + "\n")
-        print(f"{number:3d} of {len(files)}  {line_of(known[name])}", flush=True)
+            print(f"{len(known):3d} of {len(files)}  {line_of(known[name])}", flush=True)
     return [known[file[:-len(".npz")]] for file in files]
 
 
@@ -142,6 +146,7 @@ def main():
     parser.add_argument("folder", nargs="?", help="of .npz files")
     parser.add_argument("--limit", type=float, default=60.0, help="processor seconds for a surface (default 60)")
     parser.add_argument("--memory", type=int, default=8192, help="MiB for a surface (default 8192)")
+    parser.add_argument("--jobs", type=int, default=1, help="surfaces at once (default 1)")
     parser.add_argument("--result", default=os.path.join(ROOT, "output", "scoreboard.jsonl"))
     parser.add_argument("--page", action="store_true", help="write docs/scoreboard.md and its picture")
     parser.add_argument("--one", help=argparse.SUPPRESS)
