@@ -52,7 +52,7 @@ def _csg_row(parts):
 
 
 BLOCKS = {"bench": ("bench.txt", verbatim), "parts": ("parts.txt", verbatim), "csg": ("csg.jsonl", csg_rows),
-          "compare": ("compare.txt", verbatim)}
+          "compare": ("compare.txt", verbatim), "optimizer": ("optimizer.txt", verbatim)}
 """name: result file, and what makes the block's lines of the file's."""
 
 

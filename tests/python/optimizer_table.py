@@ -143,6 +143,7 @@ def main():
     if options.smoother:
         programs["innerSmoother"] = by_program(os.path.abspath(options.smoother))
     results = {name: [] for name in programs}
+    print(f"{'least and mean scaled Jacobian, seconds of':47s} | " + " | ".join(f"{name:31s}" for name in programs))
     start = time.monotonic()
     with tempfile.TemporaryDirectory() as folder:
         for name, points, hexes, fixed, quads in meshes(options.folder, options.size):
