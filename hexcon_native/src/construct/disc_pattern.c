@@ -5,6 +5,13 @@ size_t disc_shape_quads(const disc_shape *shape) {
   return shape->a * shape->b + shape->rings * 2 * (shape->a + shape->b);
 }
 
+size_t disc_shape_across(const disc_shape *shape, size_t edge) {
+  const size_t half = shape->a + shape->b, rim = 2 * half,
+               along = (edge + rim - shape->first % rim) % rim;
+  const size_t sum = along % half < shape->a ? half : rim; /* of a pair, and 1 - a */
+  return (shape->first + sum + shape->a - 1 - along) % rim;
+}
+
 void disc_pattern_free(hexcon_context *context, disc_pattern *pattern) {
   context_free(context, pattern->quads);
   *pattern = (disc_pattern){0};

@@ -20,6 +20,10 @@ typedef struct disc_pattern {
 
 size_t disc_shape_quads(const disc_shape *shape);
 
+/** The rim's edge at the other end of the row of quads that begins at an edge; edge i follows
+ * corner i. */
+size_t disc_shape_across(const disc_shape *shape, size_t edge);
+
 /** @param out free with disc_pattern_free, also after an error. Linear. Errors: OUT_OF_MEMORY,
  * TOO_LARGE. */
 hexcon_status disc_pattern_build(hexcon_context *context, const disc_shape *shape,

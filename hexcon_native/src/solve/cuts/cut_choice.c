@@ -5,16 +5,25 @@
 #include <string.h>
 
 #include "base/sorting.h"
+#include "cut_crossings.h"
 #include "disc_shapes.h"
 #include "hexmesh/scaled_jacobian.h"
 #include "homology/edge_labels.h"
 
-/** Of loops of one kind so many are given discs, and so many of those are kept. */
-enum { LOOPS_OF_KIND = 12, KEPT_OF_KIND = 2 };
+/** Of loops of one kind so many are given discs, so many for each, and so many of all are kept; ..
+ */
+enum { LOOPS_OF_KIND = 12, DISCS_OF_LOOP = 3, KEPT_OF_KIND = 3 };
+/** .. fewer loops, but one at least, where those of all kinds would take more passages to be
+ * followed than this. */
+static const double most_passages = 2e7;
 
-/** Layers that are better than this count alike, and so do those within a step of each other: then
- * fewer quads are better. */
-static const double good_layer = 0.55, step = 0.1;
+/**
+ * What a cut costs. A loop that crosses itself can hardly be taken away; two that cross more than
+ * twice take more layers than they seem to need. A layer that is worse than good must be improved,
+ * one that is not positive needs a layer more around it.
+ */
+static const double self_crossing = 8, excess_crossing = 1, square_radian = 3, quad_of_disc = 0.1;
+static const double good_layer = 0.3, poor_layer = 5, bad_layer = 20;
 
 void cut_choice_free(hexcon_context *context, cut_choice *choice) {
   surface_loops_free(context, &choice->loops);
@@ -129,71 +138,124 @@ static hexcon_status rate(hexcon_context *context, const surface *s, const int32
   return status;
 }
 
-static double rank_of(const cut_candidate *candidate) {
-  return floor(fmin(candidate->worst, good_layer) / step);
-}
-
-/** Best first; where shapes are equal in all that counts, the loop's number decides. */
-static int by_worth(const void *a, const void *b) {
+/** Best first; where candidates are equal in all that counts, the loop's number decides. */
+static int by_cost(const void *a, const void *b) {
   const cut_candidate *x = a, *y = b;
-  if (rank_of(x) != rank_of(y))
-    return rank_of(x) > rank_of(y) ? -1 : 1;
-  size_t quads = disc_shape_quads(&x->shape), others = disc_shape_quads(&y->shape);
-  if (quads != others)
-    return quads < others ? -1 : 1;
-  if (x->worst != y->worst)
-    return x->worst > y->worst ? -1 : 1;
+  if (x->cost != y->cost)
+    return x->cost < y->cost ? -1 : 1;
   if (x->loop != y->loop)
     return x->loop < y->loop ? -1 : 1;
+  if (x->shape.a != y->shape.a)
+    return x->shape.a > y->shape.a ? -1 : 1;
   return (x->shape.first > y->shape.first) - (x->shape.first < y->shape.first);
 }
 
-/** Keep a candidate if it is among the best of its kind. @param count  of those kept */
-static void keep(cut_candidate *best, size_t *count, const cut_candidate *candidate) {
-  size_t at = *count < KEPT_OF_KIND ? (*count)++ : KEPT_OF_KIND;
-  if (at == KEPT_OF_KIND && by_worth(candidate, &best[--at]) >= 0)
+/** Keep a candidate if it is among the best. @param count  of those kept, `most` at most */
+static void keep(cut_candidate *best, size_t most, size_t *count, const cut_candidate *candidate) {
+  size_t at = *count < most ? (*count)++ : most;
+  if (at == most && by_cost(candidate, &best[--at]) >= 0)
     return;
-  for (; at > 0 && by_worth(candidate, &best[at - 1]) < 0; at--)
+  for (; at > 0 && by_cost(candidate, &best[at - 1]) < 0; at--)
     best[at] = best[at - 1];
   best[at] = *candidate;
+}
+
+/** Find the discs of a loop that promise most by the rim's angles and by how loops cross then, each
+ * as a grid alone and with a ring of quads around.
+ * @param best  [DISCS_OF_LOOP] */
+static hexcon_status find_discs(hexcon_context *context, const surface *s,
+                                const surface_loops *loops, const cutting_loop *cutting,
+                                cut_candidate *best, size_t *kept) {
+  rated_shape shapes[DISC_SHAPES_MOST];
+  cut_crossings crossings = {0};
+  size_t count = 0;
+  double flat;
+  const int32_t *ring = loops->entries + loops->offsets[cutting->loop];
+  hexcon_status status = disc_shapes_find(context, s, ring, cutting->length, shapes, &count, &flat);
+  *kept = 0;
+  if (!status)
+    status = cut_crossings_new(context, s, loops, cutting->loop, &crossings);
+  for (size_t i = 0; !status && i < count; i++) {
+    const crossing_counts c = cut_crossings_count(&crossings, &shapes[i].shape);
+    for (size_t rings = 0; rings < 2; rings++) {
+      cut_candidate one = {.loop = cutting->loop, .kind = cutting->kind, .shape = shapes[i].shape};
+      one.shape.rings = rings;
+      one.cost = self_crossing * (double)c.of_themselves + excess_crossing * (double)c.in_excess +
+                 square_radian * (rings ? flat : shapes[i].misfit) +
+                 quad_of_disc * (double)disc_shape_quads(&one.shape);
+      keep(best, DISCS_OF_LOOP, kept, &one);
+    }
+    status = context_after(context, s->quad_count);
+  }
+  cut_crossings_free(context, &crossings);
+  return status;
+}
+
+/** Place a disc, and add what its layer's shape costs. */
+static hexcon_status weigh(hexcon_context *context, const surface *s, const int32_t *ring,
+                           cut_candidate *candidate) {
+  hexcon_status status = rate(context, s, ring, candidate);
+  candidate->cost += candidate->worst < 0            ? bad_layer
+                     : candidate->worst < good_layer ? poor_layer
+                                                     : 0;
+  candidate->cost -= candidate->worst;
+  return status;
+}
+
+static hexcon_status choose_of_loop(hexcon_context *context, const surface *s,
+                                    const cutting_loop *cutting, cut_candidate *best, size_t *count,
+                                    cut_choice *out) {
+  cut_candidate discs[DISCS_OF_LOOP];
+  size_t kept = 0;
+  const int32_t *ring = out->loops.entries + out->loops.offsets[cutting->loop];
+  hexcon_status status = find_discs(context, s, &out->loops, cutting, discs, &kept);
+  for (size_t i = 0; !status && i < kept; i++) {
+    status = weigh(context, s, ring, &discs[i]);
+    keep(best, KEPT_OF_KIND, count, &discs[i]);
+  }
+  return status;
 }
 
 /** The best of the loops of one kind. */
 static hexcon_status choose_of_kind(hexcon_context *context, const surface *s,
                                     const cutting_loop *cutting, size_t loop_count,
                                     cut_choice *out) {
-  const size_t most_work = 2 * s->quad_count + 10000; /* quads of discs */
-  size_t kept = 0, work = 0;
+  size_t kept = 0;
   hexcon_status status = HEXCON_OK;
-  for (size_t i = 0; !status && i < loop_count && work < most_work; i++) {
-    cut_candidate candidate = {.loop = cutting[i].loop, .kind = cutting[i].kind};
-    const int32_t *ring = cut_choice_ring(out, &candidate);
-    disc_shape shapes[DISC_SHAPES_MOST];
-    size_t count = 0;
-    status = disc_shapes_find(context, s, ring, cutting[i].length, shapes, &count);
-    for (size_t k = 0; !status && k < count; k++) {
-      candidate.shape = shapes[k];
-      status = rate(context, s, ring, &candidate);
-      work += disc_shape_quads(&candidate.shape);
-      keep(out->candidates + out->count, &kept, &candidate);
-    }
-  }
+  for (size_t i = 0; !status && i < loop_count; i++)
+    status = choose_of_loop(context, s, &cutting[i], out->candidates + out->count, &kept, out);
   out->count += kept;
   return status;
+}
+
+/** Where the loops of the kind at `first` end. */
+static size_t end_of_kind(const cutting_loop *cutting, size_t first, size_t count) {
+  size_t end = first;
+  while (end < count && cutting[end].kind == cutting[first].kind)
+    end++;
+  return end;
+}
+
+static size_t loops_of_kind(const surface *s, const cutting_loop *cutting, size_t count) {
+  size_t kinds = 0;
+  for (size_t first = 0; first < count; first = end_of_kind(cutting, first, count))
+    kinds++;
+  double loops = most_passages / ((double)kinds * DISC_SHAPES_MOST * (double)s->quad_count);
+  return (size_t)fmin(fmax(loops, 1), LOOPS_OF_KIND);
 }
 
 static hexcon_status choose(hexcon_context *context, const surface *s, const cutting_loop *cutting,
                             cut_choice *out) {
   hexcon_status status = HEXCON_OK;
-  for (size_t first = 0, end; !status && first < out->cutting_count; first = end) {
-    for (end = first; end < out->cutting_count && cutting[end].kind == cutting[first].kind;)
-      end++;
-    size_t loops = end - first < LOOPS_OF_KIND ? end - first : LOOPS_OF_KIND;
-    status = choose_of_kind(context, s, cutting + first, loops, out);
+  const size_t count = out->cutting_count, most = loops_of_kind(s, cutting, count);
+  for (size_t first = 0, end; !status && first < count; first = end) {
+    end = end_of_kind(cutting, first, count);
+    status =
+        choose_of_kind(context, s, cutting + first, end - first < most ? end - first : most, out);
   }
-  return status ? status
-                : context_sort(context, out->candidates, out->count, sizeof *out->candidates,
-                               by_worth);
+  return status
+             ? status
+             : context_sort(context, out->candidates, out->count, sizeof *out->candidates, by_cost);
 }
 
 hexcon_status cut_choice_find(hexcon_context *context, const cut_body *body, cut_choice *out) {

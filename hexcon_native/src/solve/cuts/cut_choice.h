@@ -12,6 +12,7 @@ typedef struct cut_candidate {
   uint64_t kind; /**< alike for loops that go round the same handle */
   disc_shape shape;
   double worst; /**< scaled Jacobian of the layer between the two discs as they are placed */
+  double cost;  /**< less is better: of crossings, of the layer's shape, of its quads */
 } cut_candidate;
 
 typedef struct cut_choice {

@@ -8,13 +8,6 @@ static const double pi = 3.14159265358979324;
 /** A grid as square as this counts as much as so many square radians in its corners. */
 static const double squareness = 0.05;
 
-enum { GRIDS = DISC_SHAPES_MOST - 1 };
-
-typedef struct rated_shape {
-  disc_shape shape;
-  double score; /* less is better */
-} rated_shape;
-
 static const double *rail_point(const surface *s, const int32_t *ring, size_t length, size_t i,
                                 int side) {
   const int32_t entry = ring[i % length];
@@ -54,27 +47,28 @@ static double corner_loss(double angle) {
 }
 
 /** Keep a shape if it is among the best. */
-static void keep(rated_shape *best, size_t most, size_t *count, rated_shape shape) {
-  size_t at = *count < most ? (*count)++ : most;
-  if (at == most && shape.score >= best[--at].score)
+static void keep(rated_shape *best, size_t *count, rated_shape shape) {
+  size_t at = *count < DISC_SHAPES_MOST ? (*count)++ : DISC_SHAPES_MOST;
+  if (at == DISC_SHAPES_MOST && shape.misfit >= best[--at].misfit)
     return;
-  for (; at > 0 && shape.score < best[at - 1].score; at--)
+  for (; at > 0 && shape.misfit < best[at - 1].misfit; at--)
     best[at] = best[at - 1];
   best[at] = shape;
 }
 
-/** @param losses  [length] by corner */
-static hexcon_status rate(hexcon_context *context, const double *losses, size_t length,
+/** Half a turn of a grid, a quarter of a square one, makes no other. @param losses  [length] by
+ * corner */
+static hexcon_status rate(hexcon_context *context, const double *losses, size_t length, double flat,
                           rated_shape *best, size_t *count) {
   const size_t half = length / 2;
   hexcon_status status = HEXCON_OK;
   for (size_t a = 1; !status && a <= half - a; a++) {
-    const size_t b = half - a, firsts = a == b ? half : length;
+    const size_t b = half - a, firsts = a == b ? a : half;
     for (size_t first = 0; first < firsts; first++) {
-      double score = squareness * (double)(b - a) / (double)half;
-      score += losses[first] + losses[(first + a) % length];
-      score += losses[(first + half) % length] + losses[(first + half + a) % length];
-      keep(best, GRIDS, count, (rated_shape){{a, b, 0, first}, score});
+      double loss = flat + squareness * (double)(b - a) / (double)half;
+      loss += losses[first] + losses[first + a];
+      loss += losses[first + half] + losses[(first + half + a) % length];
+      keep(best, count, (rated_shape){{a, b, 0, first}, loss});
     }
     status = context_after(context, firsts);
   }
@@ -82,22 +76,20 @@ static hexcon_status rate(hexcon_context *context, const double *losses, size_t 
 }
 
 hexcon_status disc_shapes_find(hexcon_context *context, const surface *s, const int32_t *ring,
-                               size_t length, disc_shape *shapes, size_t *count) {
-  rated_shape best[GRIDS];
-  size_t kept = 0;
+                               size_t length, rated_shape *shapes, size_t *count, double *flat) {
   *count = 0;
+  *flat = 0;
   double *losses = context_allocate_zeroed(context, length, sizeof *losses);
   if (!losses)
     return HEXCON_OUT_OF_MEMORY;
   add_angles(s, ring, length, 0, losses);
   add_angles(s, ring, length, 1, losses);
-  for (size_t i = 0; i < length; i++)
-    losses[i] = corner_loss(losses[i] / 2);
-  hexcon_status status = rate(context, losses, length, best, &kept);
+  for (size_t i = 0; i < length; i++) {
+    const double angle = losses[i] / 2;
+    *flat += (angle - pi) * (angle - pi);
+    losses[i] = corner_loss(angle);
+  }
+  hexcon_status status = rate(context, losses, length, *flat, shapes, count);
   context_free(context, losses);
-  for (size_t i = 0; i < kept; i++)
-    shapes[(*count)++] = best[i].shape;
-  shapes[*count] = best[0].shape;
-  shapes[(*count)++].rings = 1;
   return status;
 }

@@ -57,7 +57,7 @@ typedef struct effort {
 /** True if no further taste is worth its while. */
 static bool is_enough(const patience *p, const effort *e, const filling *best) {
   bool valid = best->mesh.points && best->mesh.inverted == 0;
-  return e->taste_count == TASTES || e->mesh_count >= (p->rough ? MESHES_COMPARED : MESHES_MOST) ||
+  return e->taste_count == TASTES || (!p->rough && e->mesh_count >= MESHES_MOST) ||
          (valid && e->mesh_count >= MESHES_COMPARED) ||
          (valid && best->mesh.worst >= good_part * best->bound);
 }
