@@ -3,7 +3,8 @@
  * Time and memory of every stage on swept surfaces of 10^4, 10^5 and 10^6 hexes, numbered at
  * random, and the exponent by which each stage grows, and how a budget of a second is kept; then of
  * cells on rough boxes of 24, 96 and 294 quads; and of the topological methods on 10^3 to 10^6
- * quads. Prints three tables; with the argument `topological` the last one alone.
+ * quads, and of bodies with holes. Prints their tables; with the argument `topological` or `cuts`
+ * that one alone.
  */
 #include <math.h>
 #include <stdio.h>
@@ -11,6 +12,7 @@
 #include <string.h>
 #include <sys/resource.h>
 
+#include "bench_cuts.h"
 #include "bench_support.h"
 #include "bench_topological.h"
 
@@ -256,8 +258,13 @@ static void print_head(const table *t) {
 }
 
 int main(int argument_count, char **arguments) {
-  bench_topological(); /* first: its processes begin as large as this one */
-  if (argument_count > 1 && strcmp(arguments[1], "topological") == 0)
+  const char *alone = argument_count > 1 ? arguments[1] : "";
+  if (strcmp(alone, "cuts") != 0)
+    bench_topological(); /* first: its processes begin as large as this one */
+  if (strcmp(alone, "topological") == 0)
+    return 0;
+  bench_cuts();
+  if (strcmp(alone, "cuts") == 0)
     return 0;
   static const size_t cells[SIZES] = {22, 46, 100}, cell_sides[SIZES] = {2, 4, 7};
   table t = {{0}, {0}, 0, {{0}}, {{0}}}, of_cells = t;

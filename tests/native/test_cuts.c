@@ -69,6 +69,99 @@ static void discs(void **state) {
 /* ------------------------------------------------------------------------------------------ loops
  */
 
+/** From edge to edge of the rim through opposite sides of quads. */
+static size_t walk_across(const disc_pattern *disc, size_t edge) {
+  int32_t a = (int32_t)edge, b = (int32_t)((edge + 1) % disc->rim_count);
+  for (bool on = true; on;) {
+    on = false;
+    for (size_t i = 0; i < 4 * disc->quad_count && !on; i++) {
+      const int32_t *quad = disc->quads + 4 * (i / 4);
+      on = quad[i % 4] == a && quad[(i + 1) % 4] == b;
+      if (on) {
+        a = quad[(i + 3) % 4];
+        b = quad[(i + 2) % 4];
+      }
+    }
+  }
+  return (size_t)b; /* the edge is left against the rim's sense */
+}
+
+static void rows_of_discs(void **state) {
+  (void)state;
+  hexcon_context *context = hexcon_context_new();
+  for (size_t a = 1; a <= 3; a++)
+    for (size_t b = 1; b <= 3; b++)
+      for (size_t first = 0; first < 2 * (a + b); first++)
+        for (size_t rings = 0; rings <= 1; rings++) {
+          const disc_shape shape = {a, b, rings, first};
+          disc_pattern disc;
+          assert_int_equal(disc_pattern_build(context, &shape, &disc), HEXCON_OK);
+          for (size_t edge = 0; edge < disc.rim_count; edge++)
+            assert_int_equal(disc_shape_across(&shape, edge), walk_across(&disc, edge));
+          disc_pattern_free(context, &disc);
+        }
+  hexcon_context_free(context);
+}
+
+/** Crossings after a cut as they are counted on the surface that it leaves, for every grid in some
+ * rings. Returns the number of cuts; frees the mesh. */
+static size_t expect_crossings(test_mesh mesh) {
+  hexcon_context *context = hexcon_context_new();
+  surface s = surface_of(context, &mesh);
+  cut_body body;
+  cut_choice choice;
+  size_t cuts = 0;
+  assert_int_equal(cut_body_begin(context, &s, &body), HEXCON_OK);
+  assert_int_equal(cut_choice_find(context, &body, &choice), HEXCON_OK);
+  for (size_t k = 0; k < choice.count; k++) {
+    cut_crossings crossings;
+    const int32_t *ring = cut_choice_ring(&choice, &choice.candidates[k]);
+    assert_int_equal(
+        cut_crossings_new(context, &s, &choice.loops, choice.candidates[k].loop, &crossings),
+        HEXCON_OK);
+    for (size_t a = 1; a < crossings.length / 2; a++)
+      for (size_t first = 0; first < crossings.length; first++) {
+        const disc_shape shape = {a, crossings.length / 2 - a, 0, first};
+        const crossing_counts told = cut_crossings_count(&crossings, &shape);
+        placed_cut cut;
+        cut_body rest;
+        assert_int_equal(placed_cut_new(context, &s, ring, &shape, &cut), HEXCON_OK);
+        assert_int_equal(cut_body_cut(context, &body, ring, &cut, &rest), HEXCON_OK);
+        if (rest.points) {
+          crossing_counter counter;
+          assert_int_equal(crossing_counter_new(context, rest.s.quad_count, &counter), HEXCON_OK);
+          const loop_crossings found = count_crossings(&rest.s, &counter);
+          assert_int_equal(told.of_themselves, found.of_themselves);
+          assert_int_equal(told.in_excess, found.in_excess);
+          crossing_counter_free(context, &counter);
+          cuts++;
+        }
+        placed_cut_free(context, &cut);
+        cut_body_free(context, &rest);
+      }
+    cut_crossings_free(context, &crossings);
+  }
+  cut_choice_free(context, &choice);
+  cut_body_free(context, &body);
+  surface_free(context, &s);
+  test_mesh_free(&mesh);
+  hexcon_context_free(context);
+  return cuts;
+}
+
+static void crossings_after_cuts(void **state) {
+  static const char tunnels[] = "####.####"
+                                "#.#...#.#"
+                                "####.####";
+  static const char holes[] = "######.#.######"
+                              "######...######";
+  (void)state;
+  assert_true(expect_crossings(make_torus(6, 8)) > 20);
+  assert_true(expect_crossings(make_tube(8, 2)) > 10);
+  assert_true(expect_crossings(make_cells(3, 3, 3, tunnels)) > 10);
+  assert_true(expect_crossings(make_cells(5, 3, 2, holes)) > 10);
+}
+
 /** Of a torus's rows those round the tube cut it, those along it do not: they bound outside. */
 static void loops_that_cut(void **state) {
   (void)state;
