@@ -51,7 +51,7 @@ def _made(row, solid, job, link, notes):
     solid, left_out = _without_short_edges(solid, job["size"]) if row.leaves_out else (solid, [])
     module, _, function = row.maker.rpartition(".")
     make = getattr(importlib.import_module(f".{module}", __package__), function)
-    offered = {"method": row.name, "care": job["care"]}
+    offered = {"method": row.name, "care": job["care"], "timeout": job["timeout"]}
 
     def arrays(mesh):
         return _arrays(solid, mesh, job["size"], row.name, notes + mesh["notes"] + left_out)

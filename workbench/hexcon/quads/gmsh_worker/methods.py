@@ -14,7 +14,7 @@ class SurfaceMethod:
     label         in a list that people choose from
     purpose       one line, without its full stop
     maker         "module.function" of this package, called with solid, size, link and what `takes` names
-    takes         further arguments of the maker: "method", "care"
+    takes         further arguments of the maker: "method", "care", "timeout"
     turn          when auto tries it, from 1 on; 0: never
     refusal       code of the WorkerFault with which auto goes on to the next; "": any
     refused       how auto tells of that
@@ -50,13 +50,13 @@ _ROWS = (
                   "of hexes", "blocks.blocks_surface", turn=2, refusal="NOT_BLOCKS", refused="not of blocks",
                   cavities=False, leaves_out=True, filled_by="sheets"),
     SurfaceMethod("grid", "grid", "any solid whose features are not much smaller than the elements: a grid of hexes that "
-                  "takes them up", "grid.tries.grid_surface", filled_by="proposal"),
+                  "takes them up", "grid.tries.grid_surface", ("timeout",), turn=3, refused="not gridded", filled_by="proposal"),
     # Hexes inside: 3 a quad on triangles, 10 to 22, and worse ones, where there are coarse quads.
     SurfaceMethod("subdivided", "subdivided quads", "any solid: gmsh's quads and triangles, each cut about its middle",
-                  "whole.whole_surface", ("method",), turn=4, leaves_out=True, filled_by="diced", hexes_a_quad=10),
+                  "whole.whole_surface", ("method",), turn=5, leaves_out=True, filled_by="diced", hexes_a_quad=10),
     SurfaceMethod("subdivided-triangles", "subdivided triangles",
                   "any solid: gmsh's triangles, each cut into three quads", "triangles.triangle_surface", ("care",),
-                  turn=3, refused="no subdivided triangles", leaves_out=True, filled_by="diced", hexes_a_quad=3,
+                  turn=4, refused="no subdivided triangles", leaves_out=True, filled_by="diced", hexes_a_quad=3,
                   diced_first=True),
     SurfaceMethod("blossom", "blossom", "any solid, by luck: gmsh's triangles, paired to quads; few and even ones",
                   "whole.whole_surface", ("method",), filled_by="shelling", hexes_a_quad=4),

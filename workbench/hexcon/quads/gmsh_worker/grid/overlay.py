@@ -21,6 +21,8 @@ from .sliding import Sliding
 from .solid_rays import SolidRays
 
 MOST_CELLS = 3_000_000      # of a grid: what fits into a gigabyte
+GOOD = 0.2              # least scaled Jacobian with which nothing else is tried,
+ENOUGH = 0.3            # and above which what counts is the mean
 FINISHED = -0.002           # least scaled Jacobian from which the inside can still be untangled with the boundary held
 
 
@@ -42,26 +44,55 @@ class Overlay:
         """Whether it may be handed on."""
         return self.certificate.certified and not self.kept.faults
 
+    @property
+    def rank(self):
+        """The greater, the better."""
+        return self.good, min(self.quality.min, ENOUGH), self.quality.mean
 
-def overlay(features, h, report=lambda stage, fraction: None):
+
+@dataclass
+class Work:
+    """hexes: how many were looked at so far, of all tries: a measure of time that no machine's speed changes."""
+
+    hexes: int = 0
+
+
+def overlay(features, h, work, report=lambda stage, fraction: None):
     """The Overlay of elements of size h. Raises NotCaptured where cells or paths do not fit the solid.
 
-    features: Features of the solid; report(stage, fraction)
+    features: Features of the solid; work: a Work, added to; report(stage, fraction)
     Linear in the cells, but for sorting.
     """
-    mesh, tells = _captured(features, h, report)
+    captured, tells = _captured(features, h, work, report)
+    best, pinched = None, ""
+    for inside in (True, False):
+        try:
+            found = _filled(captured, features, h, inside, work, report)
+        except Pinched as fault:
+            pinched = str(fault)
+            continue
+        if best is None or found.rank > best.rank:
+            best = found
+        if best.good and best.quality.min > GOOD:
+            break
+    if best is None:
+        raise NotCaptured("sheet", pinched)
+    best.tells.update(tells)
+    return best
+
+
+def _filled(mesh, features, h, inside, work, report):
+    """The Overlay of a captured mesh, with sheets that go on inside at concave curves, or not."""
     report("sheets", 0.0)
-    try:
-        mesh, count = sheeted(mesh, features)
-    except Pinched as fault:
-        raise NotCaptured("sheet", str(fault)) from fault
+    mesh, count = sheeted(mesh, features, inside=inside)
+    work.hexes += len(mesh.hexes)
     report("slide", 0.0)
     sliding = Sliding(mesh, features)
     points = sliding.relax(placed(mesh, features, sliding), threads=1)
     points = _finished(mesh, points)
     faces = _faces_of_quads(mesh, points, features)
     return Overlay(mesh, points, faces, hn.quality(points, mesh.hexes), hn.certify(points, mesh.hexes, mesh.quads),
-                   kept(points, mesh, faces, features, sliding.chains, h), {**tells, "sheets": dict(count)})
+                   kept(points, mesh, faces, features, sliding.chains, h), {"sheets": dict(count)})
 
 
 def _faces_of_quads(mesh, points, features):
@@ -73,7 +104,7 @@ def _faces_of_quads(mesh, points, features):
     return faces
 
 
-def _captured(features, h, report):
+def _captured(features, h, work, report):
     """(CapturedMesh, what was done): of the first set of cells that the features fit on."""
     report("cells", 0.0)
     frame = axes_of(features)
@@ -88,6 +119,7 @@ def _captured(features, h, report):
                                 f"{wanted[0]} of {wanted[1]}: walls or gaps thinner than the elements")
             continue
         report("capture", 0.0)
+        work.hexes += int(found.inside.sum())
         used, packed = np.unique(hexes[found.inside], return_inverse=True)
         try:
             return capture(features, points[used], packed.reshape(-1, 8)), {"cells": int(found.inside.sum())}

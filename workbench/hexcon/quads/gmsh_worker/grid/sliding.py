@@ -62,14 +62,18 @@ class Sliding:
         return hn.project_points(points, self.carrier_of_point, self._on.rows, project=self._on.project)[0]
 
     def relax(self, points, **options):
-        """hexcon_native.relax of these points."""
-        return hn.relax(points, self._hexes, self.carrier_of_point, self._on.rows, project=self._on.project, **options)
+        """hexcon_native.relax of these points. Those of curves are held at first: carriers have no ends, and where
+        points beside them begin on its other side they would leave past a corner."""
+        on_curves = (self.carrier_of_point >= 0) & (self.carrier_of_point < self._on.curves)
+        for carriers in (np.where(on_curves, STAYS, self.carrier_of_point), self.carrier_of_point):
+            points = hn.relax(points, self._hexes, carriers, self._on.rows, project=self._on.project, **options)
+        return points
 
 
 def _of_curve(features, c):
     curve = features.curves[c]
     carrier = features.cad.curve_carriers[curve.parts[0][0]]
-    if len(curve.parts) > 1 or not curve.closed or carrier.kind == "other":     # carriers have no ends
+    if len(curve.parts) > 1 or carrier.kind == "other":
         return hn.Carrier("curve", tag=c)
     return _closed_form(carrier)
 

@@ -8,12 +8,11 @@ import hexcon_native as hn
 from ..fault import WorkerFault
 from .captured import NotCaptured
 from .features import EVERY_EDGE, SMOOTH, Cad, Features
-from .overlay import overlay
+from .overlay import GOOD, Work, overlay
 
-GOOD = 0.2              # least scaled Jacobian with which nothing else is tried,
-ENOUGH = 0.3            # and above which what counts is the mean
 THIN = 0.45             # smaller parts of the size are tried only where nothing else came out
-BUDGET = 30.0           # seconds of processor time after which no other try is begun
+BUDGET, TIMES = 25_000, 4.0     # hexes looked at in all tries, or so many times those of the first
+SHARE, MOST = 0.4, 0.5  # of the time limit, after which no try is begun and at which the last one is ended
 
 
 @dataclass(frozen=True)
@@ -33,26 +32,32 @@ TRIES = (Try(1.0, EVERY_EDGE), Try(1.0), Try(1.0, slivers=True), Try(0.8, EVERY_
          Try(0.64), Try(0.5, slivers=True), Try(0.4), Try(0.3))
 
 
-def grid_surface(solid, size, link):
+def grid_surface(solid, size, link, timeout):
     """Quads on the solid and hexes inside, of a grid laid over it.
 
+    timeout: seconds for all of the surface, of which others may need a part
     Returns a dict of points (V,3), quads (n,4), faces (n,), hexes (H,8) and notes. Raises WorkerFault NOT_GRIDDED.
     """
     link.progress("features", 0.0)
-    cad = Cad(solid, size)
-    best, faults, known, begun = None, [], {}, time.process_time()
+    link.patience, begun = MOST * timeout, time.monotonic()
+    if not link.risk("grid"):
+        raise WorkerFault("NOT_GRIDDED", f"not done in {MOST:g} of the time limit: more time, or a larger size, may do")
+    cad, work, faults, best, limit = Cad(solid, size), Work(), [], None, BUDGET
+    known = {}
     for number, one in enumerate(TRIES):
-        if time.process_time() - begun > BUDGET or (best is not None and one.factor < THIN):
+        if work.hexes > limit or time.monotonic() - begun > SHARE * timeout or (best is not None and one.factor < THIN):
             break
         features = _features(cad, one, size, known)
         if features is None:
             continue
         try:
-            found = overlay(features, size * one.factor, _reporting(link, number))
+            found = overlay(features, size * one.factor, work, _reporting(link, number))
         except (NotCaptured, ValueError, hn.HexconError) as fault:
             faults.append(f"{one}: {fault}")
             continue
-        if found.good and (best is None or _rank(found) > _rank(best[0])):
+        finally:
+            limit = max(limit, TIMES * work.hexes) if number == 0 else limit
+        if found.good and (best is None or found.rank > best[0].rank):
             best = found, features, one
         if found.good and found.quality.min > GOOD:
             break
@@ -66,10 +71,6 @@ def _reporting(link, number):
     return lambda stage, fraction: link.progress(stage, (number + fraction) / len(TRIES))
 
 
-def _rank(found):
-    return min(found.quality.min, ENOUGH), found.quality.mean
-
-
 def _shortcomings(found):
     proof = found.certificate
     words = [f"least scaled Jacobian {found.quality.min:.3f}"]
@@ -78,7 +79,7 @@ def _shortcomings(found):
     if not proof.proper:
         words.append("hexes meet improperly")
     if not proof.embedded:
-        words.append(f"{len(proof.crossings)} pairs of quads cross")
+        words.append(f"{len(proof.crossings)} pairs of quads cross" if len(proof.crossings) else proof.embedding_reason)
     return ", ".join(words + found.kept.faults)
 
 
