@@ -75,7 +75,7 @@ def test_cavity():
     shape = Part.makeBox(9, 9, 9).cut(Part.makeSphere(2, Vector(4, 4, 4)))
     surface = surface_from_solid(shape, 2.0)
     assert_closed_even_outward(surface, shape)
-    assert surface.method == "subdivided-triangles" and sum("cavities" in note for note in surface.notes) == 2
+    assert surface.method == "grid" and sum("cavities" in note for note in surface.notes) == 2
     hollow = Part.makeBox(9, 9, 9).cut(Part.makeBox(3, 3, 3, Vector(3, 3, 3)))
     assert _fault(hollow, 2.0, method="sweep").code is FaultCode.NOT_SWEEPABLE
     assert _fault(hollow, 2.0, method="blocks").code is FaultCode.NOT_BLOCKS

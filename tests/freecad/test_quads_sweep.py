@@ -51,8 +51,8 @@ def _assert_counts(surface):
     assert np.array_equal(*valence)
 
 
-@pytest.mark.parametrize("maker,instead", [(quads_solids.filleted_box, "subdivided-triangles"),
-                                           (quads_solids.two_way_bracket, "subdivided-triangles"),
+@pytest.mark.parametrize("maker,instead", [(quads_solids.filleted_box, "grid"),
+                                           (quads_solids.two_way_bracket, "grid"),
                                            (lambda: quads_solids.Part.makeSphere(5), "blocks")])
 def test_not_sweepable(maker, instead):
     with pytest.raises(ToolError) as caught:

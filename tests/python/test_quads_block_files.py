@@ -35,7 +35,7 @@ def test_others_are_refused(tmp_path, name):
     with pytest.raises(ToolError, match=r"Vertex\d+ has|Face\d+ has") as caught:
         surface_from_solid(path, 0.3, "blocks")
     assert caught.value.code is FaultCode.NOT_BLOCKS and caught.value.elements is not None
-    assert surface_from_solid(path, 0.3, "auto").method == OTHERWISE.get(name, "subdivided-triangles")
+    assert surface_from_solid(path, 0.3, "auto").method == OTHERWISE.get(name, "grid")
 
 
 def test_size_does_not_change_the_kind(tmp_path):
