@@ -14,16 +14,16 @@ class Carrier(typing.NamedTuple):
 
     kind    a name of CARRIERS
     origin, axis, across   three numbers each, of any length but 0
-    sizes   one number or two: radii, or a half angle in radians
+    sizes   up to two numbers: radii, a half angle in radians, where a line or an arc ends
     tag     what `project` is told, an integer
-    Curves and surfaces go on without end: a plane is a whole plane.
+    Surfaces go on without end: a plane is a whole plane; so do lines and circles that are given no end.
     """
 
     kind: str
     origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
     axis: tuple[float, float, float] = (0.0, 0.0, 1.0)
     across: tuple[float, float, float] = (1.0, 0.0, 0.0)
-    sizes: tuple[float, ...] = (1.0, 1.0)
+    sizes: tuple[float, ...] = ()
     tag: int = 0
 
 
@@ -34,7 +34,7 @@ ROW = np.dtype([("kind", np.int32), ("tag", np.int32), ("origin", np.float64, 3)
 
 def _row(carrier):
     number, _, _ = CARRIERS[carrier.kind]
-    first, second = (*carrier.sizes, *carrier.sizes)[:2]
+    first, second = (*carrier.sizes, 0.0, 0.0)[:2]
     return (number, operator.index(carrier.tag), tuple(carrier.origin), tuple(carrier.axis), tuple(carrier.across),
             (first, second))
 

@@ -466,8 +466,12 @@ hexcon_status hexcon_morph(hexcon_context *context, const double *points, size_t
  */
 #define HEXCON_CARRIERS(ROW)                                                                       \
   ROW(POINT, "point", 0, "origin: the point")                                                      \
-  ROW(LINE, "line", 1, "origin on it, axis along it")                                              \
-  ROW(CIRCLE, "circle", 1, "origin its centre, axis across its plane, sizes[0] its radius")        \
+  ROW(LINE, "line", 1,                                                                             \
+      "origin on it, axis along it; sizes[0], unless 0: how far it goes from the origin on")       \
+  ROW(CIRCLE, "circle", 1,                                                                         \
+      "origin its centre, axis across its plane, sizes[0] its radius; sizes[1], unless 0: the "    \
+      "angle "                                                                                     \
+      "of an arc, from across on, right-handed about the axis")                                    \
   ROW(ELLIPSE, "ellipse", 1,                                                                       \
       "origin its centre, axis across its plane, across along its first half axis, sizes both "    \
       "half axes")                                                                                 \
@@ -498,15 +502,15 @@ typedef struct hexcon_carrier_facts {
 /** @return NULL for values that do not exist */
 const hexcon_carrier_facts *hexcon_carrier_info(int kind);
 
-/** A point, a curve or a surface; which fields count is told by its kind. Surfaces and curves go on
- * without end: a plane is a whole plane. */
+/** A point, a curve or a surface; which fields count is told by its kind. Surfaces go on without
+ * end: a plane is a whole plane; so do lines and circles that are given no end. */
 typedef struct hexcon_carrier {
   int kind;         /**< a hexcon_carrier_kind */
   int32_t tag;      /**< what hexcon_project is told; any number */
   double origin[3]; /**< in the unit of the points */
   double axis[3];   /**< any length but 0 */
   double across[3]; /**< not along the axis */
-  double sizes[2];  /**< radii > 0; a half angle in 0 .. pi/2 */
+  double sizes[2];  /**< radii > 0; lengths and angles of arcs >= 0; a half angle in 0 .. pi/2 */
 } hexcon_carrier;
 
 /**

@@ -111,7 +111,6 @@ static bool pipe_carrier(const int sides[3], hexcon_carrier *c) {
   bool on_radius = sides[0] != 1, on_angle = sides[1] != 1, on_height = sides[2] != 1;
   c->axis[2] = 2;
   c->origin[2] = on_height ? sides[2] / 2.0 : 7;
-  c->sizes[0] = radius;
   if (on_radius && on_angle) { /* along the pipe */
     c->kind = HEXCON_CARRIER_LINE;
     c->origin[sides[1] / 2] = radius;
@@ -121,6 +120,7 @@ static bool pipe_carrier(const int sides[3], hexcon_carrier *c) {
     c->axis[on_height ? sides[1] / 2 : 1 - sides[1] / 2] = 1;
   } else if (on_radius) {
     c->kind = on_height ? HEXCON_CARRIER_CIRCLE : HEXCON_CARRIER_CYLINDER;
+    c->sizes[0] = radius;
   } else {
     c->kind = HEXCON_CARRIER_PLANE;
   }
@@ -243,6 +243,8 @@ static void places_are_nearest(void **state) {
     }
     c.sizes[0] = random_between(&random, 0.1, 1.5);
     c.sizes[1] = random_between(&random, 0.05, 1) * c.sizes[0];
+    if (c.kind == HEXCON_CARRIER_LINE || c.kind == HEXCON_CARRIER_CIRCLE)
+      c.sizes[c.kind == HEXCON_CARRIER_CIRCLE] = 0;
     const int32_t starts[2] = {0, 1}, of_point = 0;
     const hexcon_sliding sliding = {&of_point, 1, starts, &c, NULL, NULL};
     assert_int_equal(hexcon_project_points(context, p, 1, &sliding, at, way), HEXCON_OK);
@@ -274,6 +276,44 @@ static void places_are_nearest(void **state) {
   hexcon_context_free(context);
 }
 
+/** Lines and arcs that end: no sample of them is nearer than the place that is found. */
+static void ends_are_kept(void **state) {
+  (void)state;
+  uint64_t random = 36;
+  hexcon_context *context = hexcon_context_new();
+  const int32_t starts[2] = {0, 1}, of_point = 0;
+  size_t at_ends = 0;
+  for (int round = 0; round < 400; round++) {
+    const bool is_line = round % 2;
+    hexcon_carrier c = {.kind = is_line ? HEXCON_CARRIER_LINE : HEXCON_CARRIER_CIRCLE,
+                        .axis = {0, 0, 3},
+                        .across = {0, 2, 0}};
+    double p[3], at[3], nearest = INFINITY, found = 0, length = random_between(&random, 0.1, 6.2);
+    c.sizes[0] = is_line ? length : 1.5;
+    c.sizes[1] = is_line ? 0 : length;
+    for (int k = 0; k < 3; k++)
+      p[k] = random_between(&random, -4, 4);
+    const hexcon_sliding sliding = {&of_point, 1, starts, &c, NULL, NULL};
+    assert_int_equal(hexcon_project_points(context, p, 1, &sliding, at, NULL), HEXCON_OK);
+    for (int i = 0; i <= 2000; i++) {
+      double t = length * i / 2000, gap = 0;
+      const double q[3] = {is_line ? 0 : -1.5 * sin(t), is_line ? 0 : 1.5 * cos(t),
+                           is_line ? t : 0};
+      for (int k = 0; k < 3; k++)
+        gap += (p[k] - q[k]) * (p[k] - q[k]);
+      nearest = fmin(nearest, gap);
+      at_ends +=
+          i % 2000 == 0 && fabs(at[0] - q[0]) + fabs(at[1] - q[1]) + fabs(at[2] - q[2]) < 1e-14;
+    }
+    for (int k = 0; k < 3; k++)
+      found += (p[k] - at[k]) * (p[k] - at[k]);
+    assert_close(sqrt(found), sqrt(nearest), 1e-4);
+    assert_true(found <= nearest + 1e-12);
+  }
+  assert_true(at_ends > 50);
+  hexcon_context_free(context);
+}
+
 /** On the axis, in the centre, on an ellipse's longer axis: some nearest place. */
 static void where_all_places_are_near(void **state) {
   (void)state;
@@ -281,6 +321,8 @@ static void where_all_places_are_near(void **state) {
   for (int kind = 0; kind < HEXCON_CARRIER_COUNT; kind++)
     for (int far = 0; far < 3; far++) {
       hexcon_carrier c = {kind, 0, {1, 2, 3}, {0, 0, 2}, {1, 0, 0}, {1.2, 0.5}};
+      if (kind == HEXCON_CARRIER_CIRCLE)
+        c.sizes[1] = 0;
       const int32_t starts[2] = {0, 1}, of_point = 0;
       const hexcon_sliding sliding = {&of_point, 1, starts, &c, NULL, NULL};
       double p[3] = {1, 2, 3}, way[3];
@@ -565,6 +607,9 @@ static void faults(void **state) {
       {.kind = HEXCON_CARRIER_LINE},
       {.kind = HEXCON_CARRIER_PLANE, .axis = {INFINITY, 0, 0}},
       {.kind = HEXCON_CARRIER_CIRCLE, .axis = {1, 0, 0}},
+      {.kind = HEXCON_CARRIER_LINE, .axis = {1, 0, 0}, .sizes = {-1, 0}},
+      {.kind = HEXCON_CARRIER_CIRCLE, .axis = {1, 0, 0}, .sizes = {1, NAN}},
+      {.kind = HEXCON_CARRIER_CIRCLE, .axis = {1, 0, 0}, .sizes = {1, 1}},
       {.kind = HEXCON_CARRIER_SPHERE, .sizes = {-1, 0}},
       {.kind = HEXCON_CARRIER_CONE, .axis = {1, 0, 0}, .sizes = {1.6, 0}},
       {.kind = HEXCON_CARRIER_ELLIPSE, .axis = {1, 0, 0}, .across = {-2, 0, 0}, .sizes = {1, 1}},
@@ -601,6 +646,7 @@ static void pieces_of_several_kinds(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(places_are_nearest),
+      cmocka_unit_test(ends_are_kept),
       cmocka_unit_test(where_all_places_are_near),
       cmocka_unit_test(scrambled_bodies_are_repaired),
       cmocka_unit_test(never_worse),

@@ -21,7 +21,7 @@ def distances(points, carrier):
     apart = points - carrier.origin
     along = apart @ axis
     out, whole = np.linalg.norm(np.cross(apart, axis), axis=1), np.linalg.norm(apart, axis=1)
-    size = (*carrier.sizes, 0)
+    size = (*carrier.sizes, 0, 0)
     return abs({"point": whole, "line": out, "plane": along, "cylinder": out - size[0], "sphere": whole - size[0],
                 "circle": np.hypot(out - size[0], along), "cone": out * np.cos(size[0]) - along * np.sin(size[0]),
                 "torus": np.hypot(out - size[0], along) - size[1]}[carrier.kind])
@@ -138,7 +138,7 @@ def test_faults():
     for wrong in (None, "plane", hn.Carrier("plain"), hn.Carrier("plane", (0, 0)), hn.Carrier("plane", axis=(0, 0, 0)),
                   hn.Carrier("sphere", sizes=(-1,)), hn.Carrier("surface"), [],
                   [hn.Carrier("plane"), hn.Carrier("line")],
-                  hn.Carrier("plane", tag=0.5), hn.Carrier("sphere", sizes=())):
+                  hn.Carrier("plane", tag=0.5), hn.Carrier("sphere"), hn.Carrier("sphere", sizes=3.0)):
         assert fault(on=[*carriers[:3], wrong, *carriers[4:]])[0] == Code.BAD_ARGUMENT, wrong
     asked, lying = [*carriers, hn.Carrier("curve")], carrier_of_point.copy()
     lying[0] = len(carriers)

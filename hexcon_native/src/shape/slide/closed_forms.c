@@ -25,15 +25,20 @@ bool carrier_is_closed(int kind) {
 /** Which fields a kind needs. */
 typedef struct carrier_needs {
   bool axis, across;
-  int sizes;
+  int sizes, ends; /* sizes above 0; of the next, so many may be 0: no end */
 } carrier_needs;
 
 static const carrier_needs needs_of[HEXCON_CARRIER_COUNT] = {
-    [HEXCON_CARRIER_LINE] = {true, false, 0},     [HEXCON_CARRIER_CIRCLE] = {true, false, 1},
-    [HEXCON_CARRIER_ELLIPSE] = {true, true, 2},   [HEXCON_CARRIER_PLANE] = {true, false, 0},
-    [HEXCON_CARRIER_CYLINDER] = {true, false, 1}, [HEXCON_CARRIER_CONE] = {true, false, 1},
-    [HEXCON_CARRIER_SPHERE] = {false, false, 1},  [HEXCON_CARRIER_TORUS] = {true, false, 2},
+    [HEXCON_CARRIER_LINE] = {true, false, 0, 1},     [HEXCON_CARRIER_CIRCLE] = {true, false, 1, 1},
+    [HEXCON_CARRIER_ELLIPSE] = {true, true, 2, 0},   [HEXCON_CARRIER_PLANE] = {true, false, 0, 0},
+    [HEXCON_CARRIER_CYLINDER] = {true, false, 1, 0}, [HEXCON_CARRIER_CONE] = {true, false, 1, 0},
+    [HEXCON_CARRIER_SPHERE] = {false, false, 1, 0},  [HEXCON_CARRIER_TORUS] = {true, false, 2, 0},
 };
+
+/** Whether `across` counts: of ellipses, and of circles that are arcs. */
+static bool needs_across(const hexcon_carrier *c) {
+  return needs_of[c->kind].across || (c->kind == HEXCON_CARRIER_CIRCLE && c->sizes[1] > 0);
+}
 
 static bool is_direction(const double v[3]) {
   double length = vector_length(v);
@@ -80,11 +85,14 @@ const char *carrier_fault(const hexcon_carrier *carrier) {
   for (int i = 0; i < needs->sizes; i++)
     if (!(carrier->sizes[i] > 0 && carrier->sizes[i] <= farthest))
       return "a size of it is not positive, or beyond 1e100";
+  for (int i = needs->sizes; i < needs->sizes + needs->ends; i++)
+    if (!(carrier->sizes[i] >= 0 && carrier->sizes[i] <= farthest))
+      return "its length, or angle, is negative, or beyond 1e100";
   if (carrier->kind == HEXCON_CARRIER_CONE && !(carrier->sizes[0] < right_angle))
     return "its half angle is not below pi / 2";
   if (carrier->kind == HEXCON_CARRIER_TORUS && carrier->sizes[1] > carrier->sizes[0])
     return "its tube is thicker than its ring, so that it crosses itself";
-  if (needs->across) {
+  if (needs_across(carrier)) {
     hexcon_carrier unit = *carrier;
     scale_to(1, unit.axis);
     reject(carrier->across, unit.axis, unit.across);
@@ -100,7 +108,7 @@ hexcon_carrier carrier_normalised(const hexcon_carrier *carrier) {
   const carrier_needs *needs = &needs_of[carrier->kind];
   if (needs->axis)
     scale_to(1, unit.axis);
-  if (needs->across) {
+  if (needs_across(carrier)) {
     reject(carrier->across, unit.axis, unit.across);
     scale_to(1, unit.across);
   }
@@ -138,9 +146,24 @@ static void place(const hexcon_carrier *c, const axial *seen, double along, doub
   vector_add_scaled(nearest, out, seen->outward);
 }
 
+/** Towards the nearer end of an arc, where a direction misses it. */
+static void turn_into_arc(const hexcon_carrier *c, double outward[3]) {
+  double second[3];
+  vector_cross(c->axis, c->across, second);
+  double angle = atan2(vector_dot(outward, second), vector_dot(outward, c->across));
+  angle += angle < 0 ? 4 * right_angle : 0;
+  if (angle <= c->sizes[1])
+    return;
+  double end = angle - c->sizes[1] < 4 * right_angle - angle ? c->sizes[1] : 0;
+  for (int k = 0; k < 3; k++)
+    outward[k] = cos(end) * c->across[k] + sin(end) * second[k];
+}
+
 static void project_circle(const hexcon_carrier *c, const double point[3], double nearest[3],
                            double tangent[3]) {
   axial seen = see_from_axis(c, point);
+  if (c->sizes[1] > 0)
+    turn_into_arc(c, seen.outward);
   place(c, &seen, 0, c->sizes[0], nearest);
   vector_cross(c->axis, seen.outward, tangent);
 }
@@ -196,13 +219,16 @@ static void project_torus(const hexcon_carrier *c, const double point[3], double
 
 void carrier_project(const hexcon_carrier *c, const double point[3], double nearest[3],
                      double direction[3]) {
-  double d[3];
+  double d[3], along;
   axial seen;
   switch (c->kind) {
   case HEXCON_CARRIER_LINE:
     vector_subtract(point, c->origin, d);
+    along = vector_dot(d, c->axis);
+    if (c->sizes[0] > 0)
+      along = fmin(fmax(along, 0), c->sizes[0]);
     memcpy(nearest, c->origin, 3 * sizeof *nearest);
-    vector_add_scaled(nearest, vector_dot(d, c->axis), c->axis);
+    vector_add_scaled(nearest, along, c->axis);
     memcpy(direction, c->axis, 3 * sizeof *direction);
     break;
   case HEXCON_CARRIER_PLANE:

@@ -75,7 +75,14 @@ def _of_curve(features, c):
     carrier = features.cad.curve_carriers[curve.parts[0][0]]
     if len(curve.parts) > 1 or carrier.kind == "other":
         return hn.Carrier("curve", tag=c)
-    return _closed_form(carrier)
+    if curve.closed:
+        return _closed_form(carrier)
+    start, end = curve.at([0.0, curve.length])
+    if carrier.kind == "Line":
+        return hn.Carrier("line", tuple(start), tuple(end - start), sizes=(np.linalg.norm(end - start),))
+    onward = np.cross(carrier.axis, start - carrier.origin) @ curve.tangents([0.0])[0]
+    return hn.Carrier("circle", tuple(carrier.origin), tuple(np.sign(onward) * carrier.axis),
+                      tuple(start - carrier.origin), (carrier.radius, curve.length / carrier.radius))
 
 
 def _of_patch(features, p, curves):
@@ -87,6 +94,6 @@ def _of_patch(features, p, curves):
 
 
 def _closed_form(carrier):
-    sizes = (math.atan(carrier.slope),) if carrier.kind == "Cone" else \
-        (carrier.radius, carrier.minor) if carrier.kind == "Torus" else (max(carrier.radius, 1e-300),)
+    sizes = {"Cone": (math.atan(carrier.slope),), "Torus": (carrier.radius, carrier.minor),
+             "Plane": ()}.get(carrier.kind, (carrier.radius,))
     return hn.Carrier(carrier.kind.lower(), tuple(carrier.origin), tuple(carrier.axis), sizes=sizes)
