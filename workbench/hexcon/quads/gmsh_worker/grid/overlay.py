@@ -7,7 +7,7 @@ import numpy as np
 import hexcon_native as hn
 
 from .axes import axes_of
-from .capture import capture
+from .capture_most import capture_most
 from .captured import NotCaptured
 from .cells import cells
 from .fullness import fullness
@@ -28,10 +28,11 @@ FINISHED = -0.002           # least scaled Jacobian from which the inside can st
 
 @dataclass
 class Overlay:
-    """mesh: the CapturedMesh before its points were placed; points (P,3): in place; faces (n,): CAD face of each quad;
-    quality, certificate: of hexcon_native; kept: gate.Kept; tells: what was done, for the notes."""
+    """mesh: the CapturedMesh before its points were placed; features: those it has; points (P,3): in place; faces (n,):
+    CAD face of each quad; quality, certificate: of hexcon_native; kept: gate.Kept; tells: what was done, for notes."""
 
     mesh: object
+    features: object
     points: np.ndarray
     faces: np.ndarray
     quality: object
@@ -63,7 +64,7 @@ def overlay(features, h, work, report=lambda stage, fraction: None):
     features: Features of the solid; work: a Work, added to; report(stage, fraction)
     Linear in the cells, but for sorting.
     """
-    captured, tells = _captured(features, h, work, report)
+    captured, features, tells = _captured(features, h, work, report)
     best, pinched = None, ""
     for inside in (True, False):
         try:
@@ -91,7 +92,8 @@ def _filled(mesh, features, h, inside, work, report):
     points = sliding.relax(placed(mesh, features, sliding), threads=1)
     points = _finished(mesh, points)
     faces = _faces_of_quads(mesh, points, features)
-    return Overlay(mesh, points, faces, hn.quality(points, mesh.hexes), hn.certify(points, mesh.hexes, mesh.quads),
+    return Overlay(mesh, features, points, faces, hn.quality(points, mesh.hexes),
+                   hn.certify(points, mesh.hexes, mesh.quads),
                    kept(points, mesh, faces, features, sliding.chains, h), {"sheets": dict(count)})
 
 
@@ -105,7 +107,7 @@ def _faces_of_quads(mesh, points, features):
 
 
 def _captured(features, h, work, report):
-    """(CapturedMesh, what was done): of the first set of cells that the features fit on."""
+    """(CapturedMesh, the Features it has, what was done): of the first set of cells that the features fit on."""
     report("cells", 0.0)
     frame = axes_of(features)
     points, hexes = _grid(features, frame, h)
@@ -122,7 +124,8 @@ def _captured(features, h, work, report):
         work.hexes += int(found.inside.sum())
         used, packed = np.unique(hexes[found.inside], return_inverse=True)
         try:
-            return capture(features, points[used], packed.reshape(-1, 8)), {"cells": int(found.inside.sum())}
+            mesh, most = capture_most(features, points[used], packed.reshape(-1, 8), h)
+            return mesh, most, {"cells": int(found.inside.sum())}
         except NotCaptured as error:
             fault = error
     raise fault

@@ -18,7 +18,7 @@ from .captured import NotCaptured
 from .corner_places import embedded
 
 REACH = 2.5             # of the local edge length: vertices farther from a curve are none of its business
-STRAY = 1.6             # a path that goes farther from its curve is none
+STRAY = 2.2             # a path that goes farther from its curve is none
 ROUNDS = 40
 FIRST_PRICE, DEARER, KEPT = 0.3, 1.35, 0.4     # of sharing: at first, by round; what a fought-over place keeps
 BEND, BEND_CONVEX = 1.5, 0.3    # cost of a quad with two edges on a curve; on a convex one it has a cheap remedy

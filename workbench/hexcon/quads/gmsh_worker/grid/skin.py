@@ -11,7 +11,7 @@ from .captured import HalfEdges, edge_keys, face_pairs
 class Skin:
     """quads (n, 4), under (n,) and vertices (V,) of a hex mesh; inside, vertices are numbered 0 to V - 1.
 
-    points (V, 3); rows (n, 4) the quads in those numbers; scale (V,) mean length of a vertex's edges; normals and
+    points (V, 3); rows (n, 4) the quads in those numbers; scale (V,) the longest of a vertex's edges; normals and
     centres (n, 3) of quads; edge_of (4 n,) undirected edge of a half-edge. Cost: O(H log H).
     """
 
@@ -25,7 +25,8 @@ class Skin:
         tail, head = self.half_edges.tail, self.half_edges.head
         self.length = np.linalg.norm(self.points[tail] - self.points[head], axis=1)
         self.valence = np.bincount(tail, minlength=n)
-        self.scale = np.bincount(tail, self.length, minlength=n) / self.valence
+        self.scale = np.zeros(n)
+        np.maximum.at(self.scale, tail, self.length)
         self.edge_of = np.unique(edge_keys(tail, head, n), return_inverse=True)[1]
         self.tree = cKDTree(self.points)
         p = self.points[self.rows]

@@ -58,7 +58,7 @@ def grid_surface(solid, size, link, timeout):
         finally:
             limit = max(limit, TIMES * work.hexes) if number == 0 else limit
         if found.good and (best is None or found.rank > best[0].rank):
-            best = found, features, one
+            best = found, found.features, one
         if found.good and found.quality.min > GOOD:
             break
         faults.append(f"{one}: {_shortcomings(found)}")
@@ -105,6 +105,9 @@ def _surface(found, features, one, faults):
              *(f"grid: {fault}" for fault in faults)]
     if lost:
         notes.append(f"grid: too small for quads of their own: {', '.join(f'Face{f}' for f in lost[:20])}")
+    left_out = sorted(features.edges[e].tag for e in features.soft)
+    if left_out:
+        notes.append(f"grid: edges without mesh edges of their own: {', '.join(f'Edge{e}' for e in left_out[:20])}")
     joined = {f: patch.faces for patch in features.patches for f in patch.faces}
     return {"points": found.points, "quads": mesh.quads, "faces": found.faces, "hexes": mesh.hexes, "notes": notes,
             "joined": joined}
