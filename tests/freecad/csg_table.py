@@ -18,21 +18,21 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "python")]
 
 
-def measured(seed, surface_method, method):
+def measured(seed, surface_method, method, limit):
     """Figures of one part, in this process."""
     from csg_parts import csg_part
     part = csg_part(seed)
     found = {"seed": seed, "steps": " ".join(part.steps), "faces": len(part.shape.Faces), "genus": part.genus,
              "cavities": part.cavities, "size": part.size}
     start = time.monotonic()
-    found |= _outcome(part, surface_method, method)
+    found |= _outcome(part, surface_method, method, limit)
     return found | {"seconds": time.monotonic() - start}
 
 
-def _outcome(part, surface_method, method):
+def _outcome(part, surface_method, method, limit):
     import hexcon
     try:
-        mesh = hexcon.mesh_solid(part.shape, part.size, surface_method=surface_method, method=method)
+        mesh = hexcon.mesh_solid(part.shape, part.size, surface_method=surface_method, method=method, timeout=limit)
     except hexcon.HexconError as error:
         return {"code": error.code.name, "message": str(error), "elements": len(error.elements)}
     import mesh_checker
@@ -62,7 +62,7 @@ def expected_euler(part):
 
 def in_its_own_process(seed, options):
     command = [sys.executable, __file__, "--one", str(seed), "--surface-method", options.surface_method,
-               "--method", options.method]
+               "--method", options.method, "--limit", str(options.limit)]
     start = time.monotonic()
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=options.limit, check=False)
@@ -113,7 +113,7 @@ def main():
     parser.add_argument("--one", type=int)
     options = parser.parse_args()
     if options.one is not None:
-        print("\n" + json.dumps(measured(options.one, options.surface_method, options.method)), flush=True)
+        print("\n" + json.dumps(measured(options.one, options.surface_method, options.method, options.limit)), flush=True)
         return
     os.makedirs(os.path.dirname(options.result) or ".", exist_ok=True)
     known, seeds = already(options.result), options.seeds or range(options.first, options.first + options.count)

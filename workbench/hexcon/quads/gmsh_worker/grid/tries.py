@@ -9,6 +9,7 @@ from ..fault import WorkerFault
 from .captured import NotCaptured
 from .features import EVERY_EDGE, SMOOTH, Cad, Features
 from .overlay import GOOD, Work, overlay
+from .too_small import too_small
 
 THIN = 0.45             # smaller parts of the size are tried only where nothing else came out
 BUDGET, TIMES = 25_000, 4.0     # hexes looked at in all tries, or so many times those of the first
@@ -62,8 +63,10 @@ def grid_surface(solid, size, link, timeout):
         if found.good and found.quality.min > GOOD:
             break
         faults.append(f"{one}: {_shortcomings(found)}")
+    small, faces = too_small(_known(cad, SMOOTH, frozenset(), known), size)
+    faults += [small] if small else []
     if best is None:
-        raise WorkerFault("NOT_GRIDDED", "; ".join(faults))
+        raise WorkerFault("NOT_GRIDDED", "; ".join(faults), faces)
     return _surface(*best, faults)
 
 
