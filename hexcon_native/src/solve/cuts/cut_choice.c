@@ -12,7 +12,7 @@
 
 /** Of loops of one kind so many are given discs, so many for each, and so many of all are kept; ..
  */
-enum { LOOPS_OF_KIND = 12, DISCS_OF_LOOP = 3, KEPT_OF_KIND = 3 };
+enum { LOOPS_OF_KIND = 12, DISCS_OF_LOOP = 3, KEPT_OF_KIND = 6 };
 /** .. fewer loops, but one at least, where those of all kinds would take more passages to be
  * followed than this. */
 static const double most_passages = 2e7;

@@ -13,8 +13,8 @@
  * valid. */
 enum { WAYS_MOST = 12, MESHES_MOST = 6, VALID_MOST = 2 };
 
-/** Patient methods are tried on so many ways, and on balls of so many quads at most. */
-enum { PATIENT_WAYS = 2, PATIENT_QUADS = 1000 };
+/** Later turns take so many ways, and what takes long balls of so many quads at most. */
+enum { FEW_WAYS = 2, SMALL_BALL = 1000 };
 
 /** Worst scaled Jacobian, as part of what the surface allows, with which no other way is tried. */
 static const double good_part = 0.6;
@@ -193,14 +193,16 @@ static cut_way way_of(size_t number, size_t handles) {
   return (cut_way){(number - 1) % handles, 1 + (number - 1) / handles};
 }
 
-static hexcon_status try_way(hexcon_context *context, cut_search *w, size_t number, bool patient) {
+static hexcon_status try_way(hexcon_context *context, cut_search *w, size_t number,
+                             ball_turn turn) {
   const cut_way way = way_of(number, body_handle_count(w->s));
   cut_body ball;
   hexcon_status status = cut_all(context, w, &way, &ball);
-  bool suits = !status && ball.points && (!patient || ball.s.quad_count <= PATIENT_QUADS);
+  bool suits =
+      !status && ball.points && (turn != BALL_IF_INVALID || ball.s.quad_count <= SMALL_BALL);
   w->ball_count += suits;
   for (size_t i = 0; suits && !status && i < w->method_count && !is_good(&w->best); i++)
-    if (w->methods[i].patient == patient)
+    if (w->methods[i].turn == turn)
       status = fill_ball(context, w, &ball, &w->methods[i]);
   cut_body_free(context, &ball);
   return status;
@@ -211,13 +213,17 @@ static bool is_over(const cut_search *w) {
          w->valid_count >= VALID_MOST;
 }
 
-/** The quick methods on many ways, then, for want of a valid mesh, the patient ones on few. */
+static bool is_wanted(const cut_search *w, ball_turn turn) {
+  return turn == BALL_IF_NONE ? w->mesh_count == 0 : w->valid_count == 0;
+}
+
 static hexcon_status try_ways(hexcon_context *context, cut_search *w) {
   hexcon_status status = HEXCON_OK;
   while (!status && !is_over(w))
-    status = try_way(context, w, w->way_count++, false);
-  for (size_t i = 0; !status && i < PATIENT_WAYS && i < w->way_count && w->valid_count == 0; i++)
-    status = try_way(context, w, i, true);
+    status = try_way(context, w, w->way_count++, BALL_ALWAYS);
+  for (ball_turn turn = BALL_IF_NONE; turn < BALL_TURNS; turn++)
+    for (size_t i = 0; !status && i < FEW_WAYS && i < w->way_count && is_wanted(w, turn); i++)
+      status = try_way(context, w, i, turn);
   return status;
 }
 

@@ -5,11 +5,18 @@
 
 #include "solve/common/method_function.h"
 
-/** A method that may fill the ball which the cuts leave. */
+/** When a method is tried on the ball which the cuts leave. */
+typedef enum ball_turn {
+  BALL_ALWAYS,     /**< for every way to cut */
+  BALL_IF_NONE,    /**< for a few ways, where there is no mesh */
+  BALL_IF_INVALID, /**< for a few ways and small balls, where no mesh is valid: it takes long */
+  BALL_TURNS
+} ball_turn;
+
 typedef struct ball_method {
   method_function fill;
   const char *done; /**< in words: what became of the ball, "is swept" */
-  bool patient;     /**< takes long: for small balls, where the others make no valid mesh */
+  ball_turn turn;
 } ball_method;
 
 /**

@@ -27,8 +27,9 @@ typedef struct patience {
 
 static const patience full_patience = {.search_quads = 400000};
 
-/** For a ball that cuts leave. */
+/** For balls that cuts leave: for each of many, and for one of a few. */
 static const patience little_patience = {.search_quads = 20000, .rough = true};
+static const patience more_patience = {.search_quads = 400000, .rough = true};
 
 /** Worst scaled Jacobian, as part of what the surface allows, with which no other way is tried. */
 static const double good_part = 0.6;
@@ -244,12 +245,20 @@ static hexcon_status fill_roughly(hexcon_context *context, const surface *s,
   return fill_ball(context, s, &little_patience, options, mesh);
 }
 
+static hexcon_status fill_roughly_with_patience(hexcon_context *context, const surface *s,
+                                                const hexcon_mesh_options *options,
+                                                hexcon_mesh *mesh) {
+  return fill_ball(context, s, &more_patience, options, mesh);
+}
+
 /** Cut them; the ball that is left may be a sweep, which has its places at once. */
 static hexcon_status fill_with_handles(hexcon_context *context, const surface *s,
                                        const hexcon_mesh_options *options, hexcon_mesh *mesh) {
-  static const ball_method methods[] = {{mesh_swept, "is swept", false},
-                                        {fill_roughly, "is filled by sheets", false},
-                                        {mesh_sheets, "is filled by sheets", true}};
+  static const ball_method methods[] = {
+      {mesh_swept, "is swept", BALL_ALWAYS},
+      {fill_roughly, "is filled by sheets", BALL_ALWAYS},
+      {fill_roughly_with_patience, "is filled by sheets", BALL_IF_NONE},
+      {mesh_sheets, "is filled by sheets", BALL_IF_INVALID}};
   return mesh_cuts(context, s, options, methods, sizeof methods / sizeof *methods, mesh);
 }
 
