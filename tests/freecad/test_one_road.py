@@ -35,7 +35,7 @@ def shapes():
         ("ball", Part.makeSphere(3), 2.0),
         ("cone", Part.makeCone(3, 1, 4), 1.5),
         ("tube", cylinder(4, 3).cut(cylinder(2, 3)), 2.0),
-        ("wedge", Part.makeWedge(0, 0, 0, 2, 2, 4, 3, 4, 2, 2), 2.0),
+        ("wedge", Part.makeWedge(0, 0, 0, 2, 2, 4, 3, 4, 2, 2), 1.7),
         ("step", box(4, 4, 2).fuse(box(2, 2, 2, Vector(0, 0, 2))).removeSplitter(), 2.0),
         ("angle", box(6, 4, 2).cut(box(3, 4, 1, Vector(3, 0, 1))), 2.0),
         ("half ball", Part.makeSphere(3, Vector(0, 0, 0), Vector(0, 0, 1), 0, 90, 360), 2.0),
@@ -164,7 +164,9 @@ def test_a_surface_of_its_own_is_taken_as_it_is(freecad, meshed, monkeypatch):
     _, shape, size = wedge()
     second = actions.make_hex_mesh(surface)
     assert mesh.TryOtherSurfaces and not second.TryOtherSurfaces
-    refuse_surfaces(monkeypatch, first_surfaces(shape, size, 1))
+    from hexcon.quads import surface_from_solid
+    triangles = surface_from_solid(shape, size, "subdivided-triangles")
+    refuse_surfaces(monkeypatch, [*first_surfaces(shape, size, 1), len(triangles.quads)])
     solid.Shape, surface.Size = shape, size
     solid.Document.recompute()
     solid.Document.recompute()
@@ -194,9 +196,9 @@ def test_undo_of_a_try(freecad, meshed, monkeypatch):
 def test_large_triangle_surfaces_are_diced_by_both_roads(freecad, meshed):
     solid, surface, mesh = meshed
     _, shape, size = next(row for row in shapes() if row[0] == "crossed holes")
-    solid.Shape, surface.Size = shape, size
+    solid.Shape, surface.Size, surface.Method = shape, size, "subdivided-triangles"
     solid.Document.recompute()
-    made = hexcon.mesh_solid(shape, size)
+    made = hexcon.mesh_solid(shape, size, surface_method="subdivided-triangles")
     assert surface.Quads > 600 and made.method == mesh.MethodUsed == "diced" and same(mesh, made)
     assert same(mesh, Strategy().of_surface(quad_surface.surface_of(surface)))
 

@@ -3,14 +3,23 @@
 import numpy as np
 from scipy.sparse import coo_matrix
 
+import hexcon_native as hn
+
 from .captured import EDGES
 
+STRUCTURED = 0.95   # least scaled Jacobian from which nothing is gained by moving points
 ROUNDS = 6          # of evening on the surface; the inside, which is cheaper, gets four times as many
 EVEN = 0.5          # how far points of curves go from their nearest place to even spacing
 
 
 def placed(mesh, features, sliding):
-    """(P,3) first places. mesh: a CapturedMesh; sliding: its Sliding. Linear."""
+    """(P,3) first places. mesh: a CapturedMesh; sliding: its Sliding. Linear.
+
+    Where the grid's own places are as good as a STRUCTURED mesh's, they stay: blocky parts.
+    """
+    points = sliding.project(mesh.points)
+    if hn.quality(points, mesh.hexes).min >= STRUCTURED:
+        return points
     points = mesh.points.copy()
     for c, chain in enumerate(sliding.chains):
         points[chain] = _along(features.curves[c], points[chain])
