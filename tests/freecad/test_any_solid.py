@@ -68,7 +68,7 @@ def test_nodes_of_a_cavity():
 def test_small_hole_in_a_large_plate(radius=0.4):
     """A hole much smaller than the elements: with the even size its quads would fold."""
     shape = Part.makeBox(30, 30, 8).cut(Part.makeCylinder(radius, 6, Vector(11, 13, 2)))     # a blind hole: no sweep
-    mesh = hexcon.mesh_solid(shape, 5.0)
+    mesh = hexcon.mesh_solid(shape, 5.0, surface_method="subdivided-triangles")
     assert mesh.certificate.certified and mesh.quality.min > 0.05
     assert any("smaller where" in note for note in mesh.surface.notes)
     assert len(mesh.quads) < 2500
