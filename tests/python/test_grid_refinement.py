@@ -174,7 +174,7 @@ def test_a_field_is_followed():
 def apart(a, b, kind="wall", levels=3):
     planes = [np.arange(9.0)] * 3
     gaps = Gaps(np.array([a], float), np.array([b], float), np.array([KINDS.index(kind)]))
-    wanted, left = for_gaps(planes, gaps, KINDS, 1.0, levels)
+    wanted, left = for_gaps(planes, gaps, 1.0, levels)
     return [len(one) for one in wanted], len(left)
 
 

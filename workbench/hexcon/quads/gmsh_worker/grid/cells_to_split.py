@@ -2,8 +2,11 @@
 """Which cells of a tensor grid are too large: for a size field, and to tell a solid's narrow places apart."""
 import numpy as np
 
+from .gaps import KINDS
+from .grid_levels import AROUND
+
 LEVELS = 3          # splits at most, one in the other
-APART = {"wall": 1.0, "slot": 1.0, "curves": 0.8, "curve and face": 0.8, "short curve": 0.6, "hole": 1.0}
+APART = {"wall": 1.5, "slot": 1.5, "curves": 1.3, "curve and face": 1.3, "short curve": 1.0, "hole": 1.5}
 """Cells that must lie between two places, by kind of gap."""
 ON_PLANE = 0.05     # of a cell: how near a place must be to a plane to count as on it
 SLIVER = 0.05       # of the size: gaps narrower than this are left alone
@@ -14,20 +17,22 @@ def indices(planes, points):
     return np.stack([np.interp(points[:, k], planes[k], np.arange(len(planes[k]))) for k in range(3)], axis=1)
 
 
-def for_gaps(planes, gaps, kinds, size, levels=LEVELS):
+def for_gaps(planes, gaps, size, levels=LEVELS):
     """(cells (m, 3) to be split on each level, rows of gaps too narrow to be told apart on the last).
 
-    planes in the frame of the gaps (a Gaps, turned there); kinds: the names of its kinds; size: of the elements wanted
-    Two places are told apart by APART cells between them along some axis, or by one if both are on planes there.
+    planes in the frame of the gaps (a Gaps, turned there); size: of the elements wanted
+    Two places are told apart by APART cells between them along some axis, or by one if both are on planes there. Cells
+    round the narrow ones are split too: sheets want room, and transitions are better off where nothing else is.
     """
     a, b = indices(planes, gaps.a), indices(planes, gaps.b)
-    needed = np.array([APART[name] for name in kinds])[gaps.kind]
+    needed = np.array([APART[name] for name in KINDS])[gaps.kind]
     left = np.flatnonzero(gaps.width > SLIVER * size)
     wanted = []
     for level in range(levels):
         left = left[~_apart(2 ** level * a[left], 2 ** level * b[left], needed[left])]
         at = 2 ** level * np.vstack([(1 - t) * a[left] + t * b[left] for t in (0, 0.5, 1)])
-        wanted.append(np.unique(np.floor(at).astype(int), axis=0))
+        cells = np.unique(np.floor(at).astype(int), axis=0)
+        wanted.append(np.unique((cells[:, None] + AROUND).reshape(-1, 3), axis=0))
     return wanted, left[~_apart(2 ** levels * a[left], 2 ** levels * b[left], needed[left])]
 
 

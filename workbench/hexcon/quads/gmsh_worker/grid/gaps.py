@@ -27,6 +27,10 @@ class Gaps:
     def width(self):
         return np.linalg.norm(self.a - self.b, axis=1)
 
+    def turned(self, frame):
+        """The same in the coordinates of a frame (3, 3) of rows."""
+        return Gaps(self.a @ frame.T, self.b @ frame.T, self.kind)
+
 
 KINDS = ("wall", "slot", "curves", "curve and face", "short curve", "hole")
 

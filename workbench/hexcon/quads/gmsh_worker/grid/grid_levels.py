@@ -2,7 +2,18 @@
 """Which cells of a tensor grid are split into eight, level by level, so that neighbours differ by one level at most."""
 import numpy as np
 
-_AROUND = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+AROUND = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+
+
+def padded(planes, outside=4):
+    """Planes with at least so many cells outside of the solid at each end where planes_of puts one, an even number of
+    cells in all: so splits inside never reach the border, on whatever level."""
+    out = []
+    for p in planes:
+        low, high = p[1] - p[0], p[-1] - p[-2]
+        more = outside - 1 + (len(p) - 1) % 2
+        out.append(np.concatenate([p[0] - low * np.arange(outside - 1, 0, -1), p, p[-1] + high * np.arange(1, more + 1)]))
+    return out
 
 
 def balanced_levels(shape, wanted, most):
@@ -27,13 +38,13 @@ def _closed(shape, wanted):
         inside = ((cells >= 0) & (cells < shape * 2 ** level)).all(axis=1)
         blocks = np.unique(cells[inside] // 2, axis=0)
         levels.insert(0, blocks)
-        more = np.unique((blocks[:, None] + _AROUND).reshape(-1, 3), axis=0)
+        more = np.unique((blocks[:, None] + AROUND).reshape(-1, 3), axis=0)
     return levels
 
 
 def _cost(blocks):
     """Hexes that a level adds, about: seven for each of its cells, three for each of those round them."""
-    around = len(np.unique((blocks[:, None] + _AROUND).reshape(-1, 3), axis=0)) - len(blocks)
+    around = len(np.unique((blocks[:, None] + AROUND).reshape(-1, 3), axis=0)) - len(blocks)
     return 7 * 8 * len(blocks) + 3 * 3 * around
 
 

@@ -10,11 +10,15 @@ from .axes import axes_of
 from .capture_most import capture_most
 from .captured import NotCaptured
 from .cells import cells
+from .cells_to_split import for_gaps
 from .fullness import fullness
+from .gaps import gaps_of
 from .gate import Kept, kept
+from .grid_levels import balanced_levels, padded
 from .hex_neighbours import HexNeighbours
 from .placement import placed
 from .planes import grid_hexes, planes_of
+from .refined_grid import refined_grid
 from .sheet_plan import sheeted
 from .sheets import Pinched
 from .sliding import Sliding
@@ -23,6 +27,7 @@ from .solid_rays import SolidRays
 MOST_CELLS = 3_000_000      # of a grid: what fits into a gigabyte
 GOOD = 0.2              # least scaled Jacobian with which nothing else is tried,
 ENOUGH = 0.3            # and above which what counts is the mean
+MOST_REFINED = 200_000      # and of one whose cells are split
 FINISHED = -0.002           # least scaled Jacobian from which the inside can still be untangled with the boundary held
 
 
@@ -58,13 +63,14 @@ class Work:
     hexes: int = 0
 
 
-def overlay(features, h, work, report=lambda stage, fraction: None):
+def overlay(features, h, work, report=lambda stage, fraction: None, levels=0):
     """The Overlay of elements of size h. Raises NotCaptured where cells or paths do not fit the solid.
 
     features: Features of the solid; work: a Work, added to; report(stage, fraction)
+    levels: how often cells may be split in two where the solid is narrower than they are
     Linear in the cells, but for sorting.
     """
-    captured, features, tells = _captured(features, h, work, report)
+    captured, features, tells = _captured(features, h, work, report, levels)
     best, pinched = None, ""
     for inside in (True, False):
         try:
@@ -106,11 +112,11 @@ def _faces_of_quads(mesh, points, features):
     return faces
 
 
-def _captured(features, h, work, report):
+def _captured(features, h, work, report, levels):
     """(CapturedMesh, the Features it has, what was done): of the first set of cells that the features fit on."""
     report("cells", 0.0)
     frame = axes_of(features)
-    points, hexes = _grid(features, frame, h)
+    points, hexes = _grid(features, frame, h, levels)
     rays = SolidRays(features.points @ frame.T, features.triangles)
     neighbours, full = HexNeighbours(hexes), fullness(points @ frame.T, hexes, rays)
     wanted = features.cad.tessellation.shells, features.handles()
@@ -131,12 +137,19 @@ def _captured(features, h, work, report):
     raise fault
 
 
-def _grid(features, frame, h):
+def _grid(features, frame, h, levels):
     planes = planes_of(features, frame, h)
     count = np.prod([float(len(p)) for p in planes])
     if count > MOST_CELLS:
         raise NotCaptured("size", f"{count:.2g} cells; at most {MOST_CELLS:.2g} are laid")
-    return grid_hexes(planes, frame)
+    if not levels:
+        return grid_hexes(planes, frame)
+    planes = padded(planes)
+    gaps = gaps_of(features, h).turned(frame)
+    wanted, _ = for_gaps(planes, gaps, h, levels)
+    blocks, _ = balanced_levels([len(p) - 1 for p in planes], wanted, MOST_REFINED)
+    points, hexes = refined_grid(planes, blocks)
+    return points @ frame, hexes
 
 
 def _finished(mesh, points):
