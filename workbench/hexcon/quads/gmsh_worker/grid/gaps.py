@@ -9,6 +9,7 @@ REACH = 1.5         # of the size: what is farther apart needs no care
 STEP = 1 / 3        # of the size: between samples
 OPPOSITE = -0.5     # of the cosine: normals of two sides of a wall or a slot
 STRAIGHT = 0.8      # of the cosine: the way across is along the normals
+SLANT = 0.5         # of the cosine: the way from a curve is across it
 NEAREST = 40        # samples looked at for each
 
 
@@ -55,20 +56,23 @@ def gaps_of(features, h):
 
 
 class _Samples:
-    """points (n, 3), owner (n,): curves or patches; normals (n, 3) of a surface."""
+    """points (n, 3), owner (n,): curves or patches; normals (n, 3) of a surface, tangents of curves."""
 
-    def __init__(self, points, owner, normals=None):
+    def __init__(self, points, owner, normals):
         self.points, self.owner, self.normals = points, owner, normals
         self.tree = cKDTree(points) if len(points) else None
 
     @classmethod
     def of_curves(cls, features, h):
-        points, owner = [np.zeros((0, 3))], [np.zeros(0, int)]
+        points, owner, tangents = [np.zeros((0, 3))], [np.zeros(0, int)], [np.zeros((0, 3))]
         for k, curve in enumerate(features.curves):
             count = max(4, int(np.ceil(curve.length / (STEP * h))))
-            points.append(curve.sampled((np.arange(count) + 0.5) / count * curve.length))
+            at, step = (np.arange(count) + 0.5) / count * curve.length, 0.1 / count * curve.length
+            points.append(curve.sampled(at))
             owner.append(np.full(count, k))
-        return cls(np.vstack(points), np.concatenate(owner))
+            along = curve.sampled(at + step) - curve.sampled(at - step)
+            tangents.append(along / np.maximum(np.linalg.norm(along, axis=1), 1e-300)[:, None])
+        return cls(np.vstack(points), np.concatenate(owner), np.vstack(tangents))
 
     @classmethod
     def of_surface(cls, features, h):
@@ -128,7 +132,11 @@ def _between_curves(features, curves, h):
     rows, other = curves.near(curves.points, h)
     a, b = ends[curves.owner[rows]], ends[curves.owner[other]]
     meet = ((a[:, :, None] == b[:, None, :]) & (a[:, :, None] >= 0)).any(axis=(1, 2))
+    way = curves.points[other] - curves.points[rows]
+    gap = np.linalg.norm(way, axis=1)
     keep = ~meet & (curves.owner[rows] != curves.owner[other])
+    for side in (rows, other):          # not round a corner: straight across from both
+        keep &= np.abs((way * curves.normals[side]).sum(axis=1)) < SLANT * gap
     rows, other = rows[keep], other[keep]
     best = _nearest_of(rows, np.linalg.norm(curves.points[rows] - curves.points[other], axis=1), len(curves.points))
     return curves.points[rows[best]], curves.points[other[best]], np.full(len(best), 2)
@@ -143,7 +151,11 @@ def _curves_to_faces(features, curves, surface, h):
                 touched[k, list(features.corner_patches[corner])] = True
         touched[k, [curve.left, curve.right]] = True
     rows, other = surface.near(curves.points, h)
+    way = surface.points[other] - curves.points[rows]
+    gap = np.linalg.norm(way, axis=1)
     keep = ~touched[curves.owner[rows], surface.owner[other]]
+    keep &= np.abs((way * surface.normals[other]).sum(axis=1)) > STRAIGHT * gap
+    keep &= np.abs((way * curves.normals[rows]).sum(axis=1)) < SLANT * gap
     rows, other = rows[keep], other[keep]
     best = _nearest_of(rows, np.linalg.norm(curves.points[rows] - surface.points[other], axis=1), len(curves.points))
     return curves.points[rows[best]], surface.points[other[best]], np.full(len(best), 3)

@@ -11,8 +11,8 @@ def padded(planes, outside=4):
     out = []
     for p in planes:
         low, high = p[1] - p[0], p[-1] - p[-2]
-        more = outside - 1 + (len(p) - 1) % 2
-        out.append(np.concatenate([p[0] - low * np.arange(outside - 1, 0, -1), p, p[-1] + high * np.arange(1, more + 1)]))
+        more = outside + (len(p) - 1) % 2
+        out.append(np.concatenate([p[0] - low * np.arange(outside - 1, 0, -1), p, p[-1] + high * np.arange(1, more)]))
     return out
 
 

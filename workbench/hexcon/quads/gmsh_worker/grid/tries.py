@@ -18,18 +18,22 @@ SHARE, MOST = 0.4, 0.5  # of the time limit, after which no try is begun and at 
 
 @dataclass(frozen=True)
 class Try:
-    """factor: of the size; smooth: see Features; slivers: faces too narrow for it are left out."""
+    """factor: of the size; smooth: see Features; slivers: faces too narrow for it are left out; levels: how often cells
+    are split in two where the solid is narrower than they are."""
 
     factor: float
     smooth: float = SMOOTH
     slivers: bool = False
+    levels: int = 0
 
     def __str__(self):
         return f"{self.factor:g} of the size" + (", every edge" if self.smooth < 0.0 else "") + \
-            (", without slivers" if self.slivers else "")
+            (", without slivers" if self.slivers else "") + \
+            (f", narrow places split {self.levels} times" if self.levels else "")
 
 
-TRIES = (Try(1.0, EVERY_EDGE), Try(1.0), Try(1.0, slivers=True), Try(0.8, EVERY_EDGE), Try(0.8), Try(0.8, slivers=True),
+TRIES = (Try(1.0, EVERY_EDGE), Try(1.0), Try(1.0, slivers=True), Try(1.0, EVERY_EDGE, levels=1), Try(1.0, levels=1),
+         Try(0.8, EVERY_EDGE), Try(0.8), Try(0.8, slivers=True),
          Try(0.64), Try(0.5, slivers=True), Try(0.4), Try(0.3))
 
 
@@ -52,7 +56,7 @@ def grid_surface(solid, size, link, timeout):
         if features is None:
             continue
         try:
-            found = overlay(features, size * one.factor, work, _reporting(link, number))
+            found = overlay(features, size * one.factor, work, _reporting(link, number), one.levels)
         except (NotCaptured, ValueError, hn.HexconError) as fault:
             faults.append(f"{one}: {fault}")
             continue
