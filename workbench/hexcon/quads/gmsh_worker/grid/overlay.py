@@ -147,7 +147,10 @@ def _grid(features, frame, h, levels):
     planes = padded(planes)
     gaps = gaps_of(features, h).turned(frame)
     wanted, _ = for_gaps(planes, gaps, h, levels)
-    blocks, _ = balanced_levels([len(p) - 1 for p in planes], wanted, MOST_REFINED)
+    blocks, dropped = balanced_levels([len(p) - 1 for p in planes], wanted, MOST_REFINED)
+    if not blocks:
+        raise NotCaptured("size", f"more than {MOST_REFINED} hexes, were cells split" if dropped else
+                          "nothing narrower than the elements, where cells could be split")
     points, hexes = refined_grid(planes, blocks)
     return points @ frame, hexes
 
