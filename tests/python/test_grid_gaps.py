@@ -18,7 +18,8 @@ def block(occ):
 
 def hollowed(occ):
     """A wall of 0.3 at x = 0, a slot of 0.4 at the other end."""
-    occ.cut([(3, occ.addBox(0, 0, 0, 8, 5, 4))], [(3, occ.addBox(0.3, 1, 1, 3, 3, 3)), (3, occ.addBox(7, 1, -1, 0.4, 5, 6))])
+    occ.cut([(3, occ.addBox(0, 0, 0, 8, 5, 4))], [(3, occ.addBox(0.3, 1, 1, 3, 3, 3)),
+                                                  (3, occ.addBox(7, 1, -1, 0.4, 5, 6))])
 
 
 def stepped(occ):

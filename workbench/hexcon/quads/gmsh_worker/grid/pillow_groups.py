@@ -77,7 +77,7 @@ def _normals(quads):
 
 
 def _turns(copy, normals, wanted):
-    """[(copies, normals, wanted lengths)], in the k-th the k-th face of each copy that has one; copy (n, 4), -1: none."""
+    """[(copies, normals, wanted lengths)], in the k-th the k-th face of each copy that has one; copy (n, 4) or -1."""
     at, face = copy.ravel(), np.repeat(np.arange(len(copy)), 4)
     at, face = at[at >= 0], face[at >= 0]
     order = np.argsort(at, kind="stable")
