@@ -9,7 +9,7 @@ from mesh_checker import conformity_faults
 
 from hexcon.quads.gmsh_worker.grid.capture import capture
 from hexcon.quads.gmsh_worker.grid.captured import NotCaptured
-from hexcon.quads.gmsh_worker.grid.corner_places import Ends, embedded
+from hexcon.quads.gmsh_worker.grid.corner_places import embedded, ends_of_corners
 from hexcon.quads.gmsh_worker.grid.skin import Skin
 from hexcon.quads.gmsh_worker.grid.valence import with_valence
 
@@ -67,7 +67,7 @@ def test_a_vertex_gets_as_many_edges_as_its_corner_has_curves(vertex, degree):
 
 def test_ends_take_ports_in_their_cyclic_order():
     model = VoxelModel(CUBE)
-    ends = Ends(model, 0)
+    ends = ends_of_corners(model)[0]
     ports = ends.directions(0.5)[list(ends.orders[0])]
     cost, found = embedded(ends, ends.directions(0.5), ports)
     assert cost == pytest.approx(0) and [ports[found[e]].tolist() for e in range(3)] == ends.directions(0.5).tolist()

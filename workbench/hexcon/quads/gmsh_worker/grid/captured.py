@@ -125,6 +125,18 @@ class CapturedMesh:
         mine = edge_keys(self.half_edges.tail, self.half_edges.head, len(self.points))
         return np.searchsorted(keys, mine, side="right") - np.searchsorted(keys, mine, side="left")
 
+    @cached_property
+    def _edges_of_curves(self):
+        """(edges in the order of their curves, first of each curve)."""
+        order = np.argsort(self.curve, kind="stable")
+        last = int(self.curve.max(initial=-1)) + 1
+        return self.curve_edges[order], np.searchsorted(self.curve[order], np.arange(last + 1))
+
+    def edges_of(self, c):
+        """(k, 2) edges of curve c."""
+        edges, first = self._edges_of_curves
+        return edges[first[c]:first[c + 1]] if c + 1 < len(first) else edges[:0]
+
     def chain(self, model, c):
         """(k,) vertices of curve c in order from its start, its left patch on the left; closed: first is last.
 
@@ -132,7 +144,7 @@ class CapturedMesh:
         Raises ValueError if its edges are no single path.
         """
         curve = model.curves[c]
-        edges = self.curve_edges[self.curve == c]
+        edges = self.edges_of(c)
         near = {}
         for a, b in edges.tolist():
             near.setdefault(a, []).append(b)

@@ -9,6 +9,7 @@ import itertools
 
 import numpy as np
 from scipy.optimize import linear_sum_assignment
+from scipy.spatial import cKDTree
 
 from .captured import NotCaptured
 
@@ -25,9 +26,8 @@ ORDERS = 24             # cyclic orders of a corner's curves that are tried, whe
 class Ends:
     """The curve ends at a corner: ends [(curve, 1 leaves here / -1 arrives here)], their orders counter-clockwise."""
 
-    def __init__(self, model, k):
-        self.ends = [(c, sign) for c, curve in enumerate(model.curves)
-                     for sign, at in ((1, curve.start), (-1, curve.end)) if at == k]
+    def __init__(self, model, k, ends):
+        self.ends = ends
         self.sides = [(model.curves[c].left, model.curves[c].right)[::sign] for c, sign in self.ends]   # left, right
         self.orders = self._orders() or [tuple(range(len(self.ends)))]
         self._curves = [model.curves[c] for c, _ in self.ends]
@@ -58,6 +58,16 @@ class Ends:
             s = min(step, 0.4 * curve.length)
             out[row] = curve.sampled(np.array([s if sign > 0 else curve.length - s]))[0] - self._place
         return out / np.maximum(np.linalg.norm(out, axis=1), 1e-300)[:, None]
+
+
+def ends_of_corners(model):
+    """Ends of every corner."""
+    found = [[] for _ in model.corners]
+    for c, curve in enumerate(model.curves):
+        for sign, k in ((1, curve.start), (-1, curve.end)):
+            if k >= 0:
+                found[k].append((c, sign))
+    return [Ends(model, k, ends) for k, ends in enumerate(found)]
 
 
 def embedded(ends, directions, ports, forbidden=None):
@@ -113,7 +123,7 @@ class CornerPlaces:
 
     def __init__(self, model, skin, guess):
         self.model, self.skin = model, skin
-        self.ends = [Ends(model, k) for k in range(len(model.corners))]
+        self.ends = ends_of_corners(model)
         self._blamed = {}
         self._around = _patches_around(skin, guess)
         self._candidates = [self._costs(k) for k in range(len(model.corners))]
@@ -152,13 +162,12 @@ class CornerPlaces:
             if a >= 0 and a != b:
                 for pair in ((a, b), (b, a)):
                     joined[pair] = min(joined.get(pair, np.inf), curve.length)
-        out = []
-        for k, p in enumerate(corners):
-            scale = self.skin.scale[self.skin.tree.query(p)[1]]
-            gap = np.linalg.norm(corners - p, axis=1)
-            out.append([(int(j), joined.get((k, int(j)), np.inf), scale) for j in np.flatnonzero(gap < REACH * scale)
-                        if j != k])
-        return out
+        if not len(corners):
+            return []
+        scale = self.skin.scale[self.skin.tree.query(corners)[1]]
+        near = cKDTree(corners).query_ball_point(corners, REACH * scale)
+        return [[(j, joined.get((k, j), np.inf), scale[k]) for j in sorted(found) if j != k]
+                for k, found in enumerate(near)]
 
     def blame(self, k, v, amount=0.5):
         self._blamed[k, v] = self._blamed.get((k, v), 0.0) + amount

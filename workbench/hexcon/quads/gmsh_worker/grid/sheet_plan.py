@@ -25,7 +25,8 @@ RINGS = 3                           # passes of rings
 
 
 class Groups:
-    """kind (of each curve: "convex", "flat", "concave"), of_patch (group of each patch), corner angles."""
+    """kind (of each curve: "convex", "flat", "concave"), of_patch (group of each patch), corner_angle {(corner, patch):
+    degrees}, ends (curves at each corner, twice those that begin and end there)."""
 
     def __init__(self, model, convex=CONVEX, inside=True):
         self.model = model
@@ -40,7 +41,12 @@ class Groups:
             if kind == "flat" or (kind == "concave" and not inside):
                 parent[max(root(c.left), root(c.right))] = min(root(c.left), root(c.right))
         self.of_patch = np.array([root(k) for k in range(len(parent))], int)
-        self._angles = {}
+        self.corner_angle = _corner_angles(model)
+        self.ends = [[] for _ in model.corners]
+        for c in model.curves:
+            for k in (c.start, c.end):
+                if k >= 0:
+                    self.ends[k].append(c)
 
     def patches(self, group):
         return frozenset(np.flatnonzero(self.of_patch == group).tolist())
@@ -50,20 +56,23 @@ class Groups:
         curve = self.model.curves[c]
         return curve.right if curve.left == p else curve.left
 
-    def corner_angle(self, k, p):
-        """Angle of patch p at corner k, in degrees; of several sectors the mean."""
-        if (k, p) not in self._angles:
-            model = self.model
-            rows = np.flatnonzero((model.triangles == model.corner_vertex[k]).any(axis=1))
-            rows = rows[np.asarray(model.patch_of_face)[model.triangle_face[rows]] == p]
-            tri = model.triangles[rows]
-            at = (tri == model.corner_vertex[k]).argmax(axis=1)
-            a, b, c = (model.points[tri[np.arange(len(tri)), (at + j) % 3]] for j in range(3))
-            d, e = b - a, c - a
-            cosine = (d * e).sum(axis=1) / np.maximum(np.linalg.norm(d, axis=1) * np.linalg.norm(e, axis=1), 1e-300)
-            sectors = sum((c.start == k and c.left == p) + (c.end == k and c.right == p) for c in model.curves)
-            self._angles[k, p] = float(np.degrees(np.arccos(np.clip(cosine, -1, 1))).sum() / max(sectors, 1))
-        return self._angles[k, p]
+
+def _corner_angles(model):
+    """(corner, patch) -> angle of the patch there in degrees, by its triangles; of several sectors the mean."""
+    corner = np.full(len(model.points), -1)
+    corner[np.asarray(model.corner_vertex, int)] = np.arange(len(model.corner_vertex))
+    row, at = np.nonzero(corner[model.triangles] >= 0)
+    tri = model.triangles[row]
+    a, b, c = (model.points[tri[np.arange(len(tri)), (at + j) % 3]] for j in range(3))
+    d, e = b - a, c - a
+    cosine = (d * e).sum(axis=1) / np.maximum(np.linalg.norm(d, axis=1) * np.linalg.norm(e, axis=1), 1e-300)
+    patch = np.asarray(model.patch_of_face)[model.triangle_face[row]]
+    out = Counter()
+    for k, p, angle in zip(corner[model.triangles[row, at]].tolist(), patch.tolist(),
+                           np.degrees(np.arccos(np.clip(cosine, -1, 1))).tolist()):
+        out[k, p] += angle
+    sectors = Counter(one for curve in model.curves for one in ((curve.start, curve.left), (curve.end, curve.right)))
+    return {one: angle / max(sectors[one], 1) for one, angle in out.items()}
 
 
 @dataclass
@@ -116,7 +125,7 @@ def _ask_corners(mesh, groups, found):
     c1, c2 = mesh.curve_of_half_edge[before], mesh.curve_of_half_edge[h]
     for at in np.flatnonzero((c1 >= 0) & (c2 >= 0)).tolist():
         p, k = int(mesh.patch[at // 4]), int(mesh.corner_of_vertex[mesh.half_edges.tail[at]])
-        if (c1[at] != c2[at] and k < 0) or (k >= 0 and groups.corner_angle(k, p) < FLAT_CORNER):
+        if (c1[at] != c2[at] and k < 0) or (k >= 0 and groups.corner_angle.get((k, p), 90.0) < FLAT_CORNER):
             continue
         found.why["a quad with a flat corner on a curve"] += 1
         for c in {int(c1[at]), int(c2[at])}:
@@ -226,16 +235,14 @@ class _Plan:
             k = next((k for k in range(len(self.model.corners)) if not self._fits(covered, k)), None)
             if k is None:
                 return patches
-            ends = [c for c in self.model.curves
-                    if k in (c.start, c.end) and (c.left in patches) != (c.right in patches)]
+            ends = [c for c in self.groups.ends[k] if (c.left in patches) != (c.right in patches)]
             if not ends:
                 return patches
             c = min(ends, key=lambda c: abs(c.angle - 180.0))
             patches = patches | self._whole({c.left, c.right})
 
     def _fits(self, patches, k):
-        inside = [(c.left in patches) + (c.right in patches) for c in self.model.curves
-                  for at in (c.start, c.end) if at == k]
+        inside = [(c.left in patches) + (c.right in patches) for c in self.groups.ends[k]]
         return not any(inside) or (inside.count(1) in (0, 2) and inside.count(0) <= 1)
 
     def put_rings(self):
