@@ -58,7 +58,8 @@ def test_a_vertex_gets_as_many_edges_as_its_corner_has_curves(vertex, degree):
     points, hexes = hexes_of(CUBE, 2)
     angle = np.linspace(0, np.pi / 2, degree)
     spread = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
-    ends = SimpleNamespace(ends=list(range(degree)), directions=lambda step: spread)
+    order = tuple(range(degree))[::-1]          # counter-clockwise from below
+    ends = SimpleNamespace(ends=list(range(degree)), orders=[order], directions=lambda step: spread)
     v = int(np.flatnonzero((points == vertex).all(axis=1))[0])
     more, new = with_valence(points, hexes, [(v, ends)])
     assert Skin(more, new).valence.max() >= degree and np.array_equal(more[:len(points)], points)

@@ -11,7 +11,7 @@ from .captured import CapturedMesh, NotCaptured, edge_keys
 from .corner_places import CornerPlaces
 from .routes import STRAY, Band, Routes
 from .skin import Skin
-from .valence import with_valence
+from .valence import has_edges, with_valence
 
 DIRECTION = 0.5         # weight of a normal beside a distance of one edge length, where patches are guessed
 TRIES = 6               # placements of corners
@@ -27,7 +27,7 @@ def capture(model, points, hexes):
     guess = guessed_patches(model, skin)
     places = CornerPlaces(model, skin, guess)
     vertex = places.placed()
-    lacking = [k for k, ends in enumerate(places.ends) if len(ends.ends) > skin.valence[vertex[k]]]
+    lacking = [k for k, ends in enumerate(places.ends) if ends.ends and not has_edges(skin, int(vertex[k]), ends)]
     if lacking:
         points, hexes = with_valence(points, hexes, [(int(skin.vertices[vertex[k]]), places.ends[k]) for k in lacking])
         skin = Skin(points, hexes)

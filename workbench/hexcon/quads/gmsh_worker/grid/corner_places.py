@@ -144,14 +144,9 @@ class CornerPlaces:
         directions = self.ends[k].directions(0.7 * scale)
         out = {}
         for v, value in zip(rows[order].tolist(), cost[order].tolist()):
-            fit, _ = embedded(self.ends[k], directions, self.port_directions(v))
+            fit, _ = embedded(self.ends[k], directions, self.skin.directions(v))
             out[v] = value + (0.6 * fit if np.isfinite(fit) else 0.0)
         return out
-
-    def port_directions(self, v):
-        h = self.skin.outgoing(v)
-        d = self.skin.points[self.skin.half_edges.head[h]] - self.skin.points[v]
-        return d / np.maximum(np.linalg.norm(d, axis=1), 1e-300)[:, None]
 
     def _neighbours(self):
         """Per corner [(other corner, length of the curve between or inf)] of those that are near or joined."""
@@ -169,8 +164,9 @@ class CornerPlaces:
         return [[(j, joined.get((k, j), np.inf), scale[k]) for j in sorted(found) if j != k]
                 for k, found in enumerate(near)]
 
-    def blame(self, k, v, amount=0.5):
-        self._blamed[k, v] = self._blamed.get((k, v), 0.0) + amount
+    def blame(self, k, v):
+        """Make a place dearer, the more the worse it is: one that fits well is hardly at fault."""
+        self._blamed[k, v] = self._blamed.get((k, v), 0.0) + 0.05 + 0.5 * min(1.0, self._candidates[k][v])
 
     def placed(self):
         """(K,) vertex of the skin for each corner. Raises NotCaptured."""

@@ -156,7 +156,7 @@ class Routes:
                 other = self.model.curves[c].end if sign > 0 else self.model.curves[c].start
                 forbidden[row] = (there >= 0) & ((there != other) | (other == k))
             directions = ends.directions(0.7 * self.skin.scale[v])
-            cost, found = embedded(ends, directions, places.port_directions(v), forbidden)
+            cost, found = embedded(ends, directions, self.skin.directions(v), forbidden)
             if not np.isfinite(cost):
                 raise NotCaptured("corner", f"corner {k} has not {len(ends.ends)} free edges, in the order of its "
                                   "curves", self.model.corners[k], corners=[k], curves=[c for c, _ in ends.ends])

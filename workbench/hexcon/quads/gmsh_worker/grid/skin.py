@@ -57,6 +57,11 @@ class Skin:
             if here == first:
                 return found
 
+    def directions(self, v):
+        """(valence, 3) unit vectors along the edges of vertex v, counter-clockwise seen from outside."""
+        d = self.points[self.half_edges.head[self.outgoing(v)]] - self.points[v]
+        return d / np.maximum(np.linalg.norm(d, axis=1), 1e-300)[:, None]
+
     def pieces(self, border):
         """(n,) number of the piece each quad is in, and how many: quads joined over half-edges that are no `border`."""
         h = np.flatnonzero(~border)

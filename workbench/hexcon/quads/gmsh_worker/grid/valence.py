@@ -8,8 +8,12 @@ one edge more.
 import numpy as np
 
 from .captured import CapturedMesh
+from .corner_places import embedded
 from .sheets import insert
 from .skin import Skin
+
+SPARE = 2               # edges more than curve ends that are made, at most
+OFF = 0.25              # cosine of the angle between an edge and the curve that takes it: less is far off
 
 
 def with_valence(points, hexes, wanted):
@@ -18,13 +22,20 @@ def with_valence(points, hexes, wanted):
     wanted: [(vertex, Ends of the corner that is to take it)]. At most five hexes for each edge that is made.
     """
     for vertex, ends in wanted:
-        skin = Skin(points, hexes)
-        v = int(np.searchsorted(skin.vertices, vertex))
-        for _ in range(len(ends.ends) - skin.valence[v]):
-            points, hexes, vertex = _one_more(points, hexes, skin, v, ends)
+        for _ in range(len(ends.ends)):
             skin = Skin(points, hexes)
             v = int(np.searchsorted(skin.vertices, vertex))
+            if has_edges(skin, v, ends) or skin.valence[v] >= len(ends.ends) + SPARE:
+                break
+            points, hexes, vertex = _one_more(points, hexes, skin, v, ends)
     return points, hexes
+
+
+def has_edges(skin, v, ends):
+    """Whether a vertex has an edge for each end, none of them far off its direction."""
+    directions = ends.directions(0.7 * skin.scale[v])
+    _, found = embedded(ends, directions, skin.directions(v))
+    return found is not None and bool(((directions * skin.directions(v)[found]).sum(axis=1) > OFF).all())
 
 
 def _one_more(points, hexes, skin, v, ends):
