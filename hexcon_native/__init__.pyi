@@ -162,6 +162,11 @@ class Mesh:
     quality: Quality | None
     report: dict[str, Any]
 
+class Repaired:
+    points: NDArray[np.float64]
+    hexes: NDArray[np.int32]
+    pillows: int
+
 class Carrier(NamedTuple):
     kind: str
     origin: tuple[float, float, float] = ...
@@ -204,5 +209,7 @@ def relax(points: ArrayLike, hexes: ArrayLike, carrier_of_point: ArrayLike,
           carriers: Iterable[Carrier | Sequence[Carrier]], *, project: _Project | None = ...,
           rounds: int = ..., threads: int = ..., budget: float = ...,
           progress: _Progress | None = ...) -> NDArray[np.float64]: ...
+def repair(points: ArrayLike, hexes: ArrayLike, fixed: ArrayLike | None = ..., *,
+           pillow: str | int = ..., threads: int = ..., progress: _Progress | None = ...) -> Repaired: ...
 def raise_order(points: ArrayLike, hexes: ArrayLike) -> tuple[NDArray[np.float64],
                                                               NDArray[np.int32]]: ...

@@ -707,6 +707,36 @@ typedef struct hexcon_proposal {
 /** Values of hexcon_mesh_options.pillow besides numbers of sheets; and the largest of these. */
 enum { HEXCON_PILLOW_AUTO = 0, HEXCON_PILLOW_NEVER = -1, HEXCON_PILLOW_MOST = 16 };
 
+/** Options of hexcon_repair; zero means default. */
+typedef struct hexcon_repair_options {
+  int pillow;  /**< see hexcon_mesh_options */
+  int threads; /**< default: one per processor. The result does not depend on it */
+} hexcon_repair_options;
+
+/** A repaired mesh: the given points and hexes in their order, then those of pillows. */
+typedef struct hexcon_repaired {
+  size_t point_count, hex_count;
+  double *points; /**< [point_count][3] */
+  int32_t *hexes; /**< [hex_count][8] */
+  size_t pillows; /**< sheets laid */
+} hexcon_repaired;
+
+/**
+ * Repair a hex mesh of any origin: move its free points as hexcon_optimize does, with passes for
+ * the mean; then, where hexes are inverted or poor all the same, as where one has two faces of the
+ * boundary in one plane, lay a sheet of hexes under the whole boundary and improve again. The
+ * better of both is kept: fewer inverted hexes, then a clearly higher worst scaled Jacobian, then a
+ * clearly higher mean, then fewer hexes. The boundary's faces stay what they are.
+ * @param fixed    [point_count] non-zero: the point does not move; mostly those of the boundary
+ * @param options  NULL for defaults
+ * @param out      filled; free with hexcon_repaired_free
+ * Errors: as hexcon_optimize, TOO_LARGE. Cost: as hexcon_optimize, twice.
+ */
+hexcon_status hexcon_repair(hexcon_context *context, const double *points, size_t point_count,
+                            const int32_t *hexes, size_t hex_count, const uint8_t *fixed,
+                            const hexcon_repair_options *options, hexcon_repaired *out);
+void hexcon_repaired_free(hexcon_context *context, hexcon_repaired *repaired);
+
 /** Options of hexcon_mesh_surface; zero means default. */
 typedef struct hexcon_mesh_options {
   hexcon_method method;

@@ -340,6 +340,39 @@ static PyObject *second_order_as_tuple(const hexcon_second_order *raised, size_t
                        buffer_copy(raised->hexes, 20 * hex_count, sizeof(int32_t)));
 }
 
+static PyObject *repaired_as_tuple(const hexcon_repaired *r) {
+  return Py_BuildValue("NNn", buffer_copy(r->points, 3 * r->point_count, sizeof(double)),
+                       buffer_copy(r->hexes, 8 * r->hex_count, sizeof(int32_t)),
+                       (Py_ssize_t)r->pillows);
+}
+
+static PyObject *repair(PyObject *module, PyObject *arguments) {
+  (void)module;
+  array_copy points, hexes, fixed;
+  hexcon_repair_options options = {0};
+  PyObject *callback, *result = NULL;
+  if (!PyArg_ParseTuple(arguments, "O&O&O&iiO", copy_points, &points, copy_hexes, &hexes,
+                        copy_flags, &fixed, &options.pillow, &options.threads, &callback))
+    return NULL;
+  run r;
+  if (is_of_points(&fixed, &points) && run_begin(&r, callback)) {
+    hexcon_repaired repaired;
+    run_release(&r);
+    hexcon_status status = hexcon_repair(r.context, points.items, points.count, hexes.items,
+                                         hexes.count, fixed.items, &options, &repaired);
+    run_acquire(&r);
+    if (!status)
+      result = repaired_as_tuple(&repaired);
+    hexcon_repaired_free(r.context, &repaired);
+    if (!run_end(&r, status))
+      Py_CLEAR(result);
+  }
+  array_copy_free(&points);
+  array_copy_free(&hexes);
+  array_copy_free(&fixed);
+  return result;
+}
+
 static PyObject *raise_order(PyObject *module, PyObject *arguments) {
   (void)module;
   array_copy points, hexes;
@@ -486,6 +519,8 @@ static PyMethodDef methods[] = {
      "morph(positions, hexes, fixed, goal, boundary_only, target, progress) -> reached"},
     {"optimize", optimize, METH_VARARGS,
      "optimize(positions, hexes, fixed, rounds, threads, target, mean_passes, progress)"},
+    {"repair", repair, METH_VARARGS,
+     "repair(points, hexes, fixed, pillow, threads, progress) -> (points, hexes, pillows)"},
     {"raise_order", raise_order, METH_VARARGS, "raise_order(points, hexes) -> (points, hexes)"},
     {"mesh", mesh, METH_VARARGS,
      "mesh(points, quads, method, order, allow_uncertified, threads, layers, tetrahedralise, "

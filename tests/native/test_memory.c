@@ -351,6 +351,18 @@ static hexcon_status call_mesh_cut_cube(hexcon_context *context, material *m) {
   return mesh_by(context, &m->tunnels, HEXCON_METHOD_SHEETS, 1);
 }
 
+/** Its given hexes first. */
+static hexcon_status call_repair(hexcon_context *context, material *m) {
+  const uint8_t fixed[8] = {1, 1, 1, 1, 1, 1, 1, 1};
+  const hexcon_repair_options options = {.pillow = 2, .threads = 1};
+  hexcon_repaired repaired;
+  hexcon_status status = hexcon_repair(context, m->cube.points, m->cube.point_count, m->cube.hexes,
+                                       m->cube.hex_count, fixed, &options, &repaired);
+  assert_int_equal(repaired.hex_count, status ? 0 : 1 + 2 * m->cube.quad_count);
+  hexcon_repaired_free(context, &repaired);
+  return status;
+}
+
 /** Laid, and told of; two sheets. */
 static hexcon_status call_mesh_pillow(hexcon_context *context, material *m) {
   hexcon_mesh *mesh = NULL;
@@ -416,6 +428,7 @@ static const struct {
              {"mesh pyramid", call_mesh_pyramid},
              {"mesh geode-alt", call_mesh_geode_alt},
              {"mesh no sides", call_mesh_no_sides},
+             {"repair", call_repair},
              {"mesh pillow", call_mesh_pillow},
              {"mesh sheets", call_mesh_sheets},
              {"mesh cut ring", call_mesh_cut_ring},

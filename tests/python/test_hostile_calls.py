@@ -63,6 +63,8 @@ def good_calls():
         Given(hn.raise_order, hexes, **hexes),
         Given(hn.optimize, ["points", "hexes", "fixed"], points=moved, hexes=mesh.hexes, fixed=fixed, rounds=0,
               target=1.0, mean_passes=0, **counted),
+        Given(hn.repair, ["points", "hexes", "fixed"], points=moved, hexes=mesh.hexes, fixed=fixed, pillow="auto",
+              **counted),
         Given(hn.morph, ["points", "hexes", "goal", "fixed"], **hexes, goal=goal, fixed=fixed, target=1.0,
               progress=None),
         Given(hn.mesh, surface, **surface, method="auto", order=1, layers=0, pairing="all", core=True, pillow="auto",

@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The last step of the methods for solvers: a sheet of hexes under the whole surface, where it helps."""
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from cell_surfaces import projected, round_hull, shaken, sphere, twisted_prism
-from mesh_checker import faults
+from mesh_checker import FACES, faults
 from surfaces import box, permuted, schneiders_pyramid
 
 import hexcon_native as hn
+from hexcon.cli import main
+from hexcon.files import read_mesh, write
 from hexcon.inspection.stages import stages_of
 from hexcon.pillows import CHOICES, pillow_of
 
@@ -141,3 +144,74 @@ def test_words_of_the_header():
     assert found == {**hn.PILLOWS, "most": hn.tables.MOST_PILLOWS}
     for choice in CHOICES:
         hn.check_options(pillow=pillow_of(choice))
+
+
+# ------------------------------------------------------------------------------------- repairs of given meshes
+
+def dented(n):
+    """(points, hexes, number of boundary points): a grid of cubes whose corners are pushed in, under the plane through
+    the three points beside: the eight hexes there cannot be positive, whatever the inner points."""
+    points, quads = box(n, n, n)
+    mesh = hn.mesh(points, quads, "swept", pillow="never")
+    at_corner = ((mesh.points == 0) | (mesh.points == n)).all(axis=1)
+    dented = mesh.points.copy()
+    dented[at_corner] += 0.39 * np.sign(n / 2 - mesh.points[at_corner])
+    return dented, mesh.hexes, len(points)
+
+
+def test_inverted_hexes_at_the_boundary_are_mended():
+    points, hexes, on_boundary = dented(3)
+    before = hn.certify(points, hexes, boundary_of(hexes))
+    moved = hn.optimize(points, hexes, mean_passes=2)
+    left = hn.certify(moved, hexes, boundary_of(hexes))
+    assert len(before.nonpositive) == len(left.nonpositive) == 8
+    found = hn.repair(points, hexes)
+    assert found.pillows == 1 and len(found.hexes) == len(hexes) + len(boundary_of(hexes))
+    assert np.array_equal(found.points[:on_boundary], points[:on_boundary])
+    assert faults(found.points, found.hexes, boundary_of(hexes), points[:on_boundary]) == []
+
+
+def boundary_of(hexes):
+    """Faces of one hex only, outward."""
+    sides = hexes[:, FACES].reshape(-1, 4)
+    _, first, count = np.unique(np.sort(sides, axis=1), axis=0, return_index=True, return_counts=True)
+    return sides[np.sort(first[count == 1])]
+
+
+def test_a_repair_needs_no_pillow_where_moving_does():
+    mesh = hn.mesh(*box(3, 3, 3))
+    points = mesh.points.copy()
+    points[56:] += np.random.default_rng(2).uniform(-0.8, 0.8, points[56:].shape)
+    found = hn.repair(points, mesh.hexes)
+    assert found.pillows == 0 and np.array_equal(found.hexes, mesh.hexes)
+    assert hn.certify(found.points, found.hexes, mesh.quads).certified
+    assert hn.repair(points, mesh.hexes, pillow=2).hexes[:27].shape == (27, 8)
+    assert "2 pillows" in repr(hn.repair(points, mesh.hexes, pillow=2))
+
+
+def test_a_repair_that_may_not_lay_any():
+    points, hexes, _ = dented(3)
+    found = hn.repair(points, hexes, pillow="never", threads=1)
+    assert found.pillows == 0 and np.array_equal(found.points, hn.optimize(points, hexes, mean_passes=2))
+    with pytest.raises(hn.HexconError) as raised:
+        hn.repair(points, hexes, progress=lambda stage, part: False)
+    assert raised.value.code is hn.ErrorCode.CANCELLED
+    with pytest.raises(hn.HexconError) as raised:
+        hn.repair(points, hexes[:, [0, 0, 2, 3, 4, 5, 6, 7]])
+    assert raised.value.code is hn.ErrorCode.REPEATED_VERTEX
+
+
+def test_repair_on_the_command_line(tmp_path, capsys):
+    points, hexes, _ = dented(2)
+    quads = boundary_of(hexes)
+    bad, good = tmp_path / "bad.vtu", tmp_path / "good.inp"
+    write(SimpleNamespace(points=points, hexes=hexes, quads=quads, order=1,
+                          face_of_quad=np.ones(len(quads), np.int64)), bad)
+    assert main(["check", str(bad)]) == 3
+    assert main(["repair", str(bad), "-o", str(good)]) == 0
+    told = capsys.readouterr().out
+    assert f"{len(hexes) + len(quads)} hexes for {len(hexes)}, 1 pillows" in told
+    read = read_mesh(good)
+    assert len(read.hexes) == len(hexes) + len(quads) and (read.face_of_quad == 1).all()
+    assert main(["mesh", "example:schneiders", "--pillow", "1", "-o", str(tmp_path / "m.vtu")]) == 0
+    assert main(["mesh", "example:schneiders", "--pillow", "17", "-o", str(tmp_path / "m.vtu")]) != 0

@@ -36,7 +36,7 @@ def main(arguments=None):
         _tell_fault(fault, options.json)
         return EXIT_FAULT
     say(json.dumps(facts) if options.json else "\n".join(lines))
-    failed = options.command in ("check", "smooth") and not facts["certified"]
+    failed = options.command in ("check", "repair", "smooth") and not facts["certified"]
     return EXIT_NOT_CERTIFIED if failed else EXIT_DONE
 
 

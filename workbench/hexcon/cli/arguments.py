@@ -110,6 +110,18 @@ def _add_check(commands_parser):
     command.set_defaults(run=commands.check)
 
 
+def _add_repair(commands_parser):
+    command = commands_parser.add_parser(
+        "repair", help="untangle and improve a hex mesh, with new hexes where moving points does not do", epilog=_EXIT,
+        description=f"MESH is any hex mesh ({' '.join(shown(READERS))}), OUT as of hexcon mesh. The boundary stays as it "
+                    "is. The exit status is that of a check of OUT.")
+    command.add_argument("input", metavar="MESH")
+    command.add_argument("-o", "--output", metavar="OUT", action="append", required=True,
+                         help="may be given several times")
+    command.add_argument("--pillow", type=pillows.pillow_of, default="auto", metavar="auto|never|K", help=pillows.HELP)
+    command.set_defaults(run=commands.repair)
+
+
 def _add_smooth(commands_parser):
     command = commands_parser.add_parser(
         "smooth", help="smooth a hex mesh on its solid: points slide on faces and edges", epilog=_EXIT,
@@ -178,7 +190,7 @@ def parse(arguments=None):
         prog="hexcon", epilog=_EXIT,
         description="Hexahedral meshes whose boundary is exactly a given quad surface.")
     commands_parser = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    for add in (_add_mesh, _add_check, _add_smooth, _add_info, _add_example, _add_solve):
+    for add in (_add_mesh, _add_check, _add_repair, _add_smooth, _add_info, _add_example, _add_solve):
         add(commands_parser)
     for command in commands_parser.choices.values():
         command.add_argument("--json", action="store_true", help="one JSON object for machines")

@@ -165,6 +165,30 @@ def check(options):
     """hexcon check MESH [--surface QUADS]"""
     found = read_mesh(options.input)
     surface = _match_surface(found.points, _surface_input(options.surface)) if options.surface else None
+    return _judged(found, surface)
+
+
+def repair(options):
+    """hexcon repair MESH -o OUT: its middle nodes, if it has any, come to lie in the middles of the edges."""
+    check_outputs(options, WRITERS)
+    found = read_mesh(options.input)
+    before, order = len(found.hexes), found.order
+    if order == 2:
+        used, found.hexes = np.unique(found.hexes[:, :8], return_inverse=True)
+        found.points, found.hexes, found.order = found.points[used], found.hexes.reshape(-1, 8), 1
+        found.quads = np.searchsorted(used, found.quads)
+    repaired = hexcon_native.repair(found.points, found.hexes, pillow=options.pillow)
+    found.points, found.hexes = repaired.points, repaired.hexes
+    for path in options.output:
+        write(found, path, order=order)
+    facts, lines = _judged(found, None)
+    return (dict(facts, pillows=repaired.pillows, written=options.output),
+            [f"repaired      {len(found.hexes)} hexes for {before}, {repaired.pillows} pillows", *lines,
+             *(f"written       {path}" for path in options.output)])
+
+
+def _judged(found, surface):
+    """Facts and lines about a mesh that was read, and whether it is certified."""
     report = check_mesh(found, surface=surface)
     certificate, quality, curved = report.certificate, report.quality, report.curved
     lines = [f"mesh          {len(found.hexes)} hexes, {len(found.points)} points, order "

@@ -6,19 +6,12 @@
 #include <string.h>
 
 #include "pillow_bound.h"
+#include "pillow_worth.h"
 #include "pillowed_mesh.h"
 #include "quality_bound.h"
 #include "surface/numbering.h"
 
-/** A worst scaled Jacobian from here on is good enough without a pillow. */
-static const double poor_worst = 0.4;
-
-/** A pillow must raise the worst by this much, or by this part of it; .. */
-static const double least_gain = 0.1, least_part = 0.25;
-/** .. or, where it does not, the mean by this much. */
-static const double least_mean_gain = 0.05;
-
-/** .. and this part of what the surface allows it is what comes of it. */
+/** What comes of a pillow, as part of what the surface allows. */
 static const double usual_part = 0.8;
 
 /** Larger meshes take too long, unless they are asked to have one. */
@@ -54,27 +47,13 @@ static filled_mesh view(const hexcon_mesh *mesh) {
                        .hex_count = mesh->hex_count};
 }
 
-/** What a worst scaled Jacobian must come to, lest the hexes more be in vain. */
-static double least_worth(double worst) {
-  return worst + fmin(least_gain, fmax(least_part * worst, 1e-3));
-}
-
-static bool is_better(const filled_mesh *pillowed, const filled_mesh *plain) {
-  const mesh_taste preference = {.enough = 1,
-                                 .clearly = least_worth(plain->worst) - plain->worst,
-                                 .clear_mean = least_mean_gain,
-                                 .fewer = true};
-  bool lower = pillowed->inverted == plain->inverted && pillowed->worst < plain->worst;
-  return !lower && filled_mesh_is_better(pillowed, plain, &preference);
-}
-
 /** Whether one is worth its time, by what is known before; tells why not. */
 static bool is_promising(const surface *s, const filled_mesh *plain, const surface_limit *limit,
                          hexcon_mesh *mesh) {
   char line[200];
-  bool poor = plain->inverted > 0 || plain->worst < poor_worst;
-  bool helps = limit->bound > 0 &&
-               (plain->inverted > 0 || usual_part * limit->bound >= least_worth(plain->worst));
+  bool poor = plain->inverted > 0 || plain->worst < PILLOW_POOR_WORST;
+  bool helps = limit->bound > 0 && (plain->inverted > 0 ||
+                                    usual_part * limit->bound >= pillow_least_worth(plain->worst));
   bool large = plain->hex_count + s->quad_count > MOST_HEXES;
   if (poor && !helps)
     (void)snprintf(
@@ -88,6 +67,26 @@ static bool is_promising(const surface *s, const filled_mesh *plain, const surfa
   if (poor && (!helps || large))
     mesh_log(mesh, line);
   return poor && helps && !large;
+}
+
+/** The last hexes first, as stages lie from outside to inside. */
+static hexcon_status bring_forward(hexcon_context *context, size_t last, filled_mesh *mesh) {
+  const size_t hex = 8 * sizeof *mesh->hexes, one = sizeof *mesh->quality,
+               rest = mesh->hex_count - last;
+  int32_t *hexes = context_allocate(context, last, hex);
+  double *quality = context_allocate(context, last, one);
+  bool made = hexes && quality;
+  if (made) {
+    memcpy(hexes, mesh->hexes + 8 * rest, last * hex);
+    memcpy(quality, mesh->quality + rest, last * one);
+    memmove(mesh->hexes + 8 * last, mesh->hexes, rest * hex);
+    memmove(mesh->quality + last, mesh->quality, rest * one);
+    memcpy(mesh->hexes, hexes, last * hex);
+    memcpy(mesh->quality, quality, last * one);
+  }
+  context_free(context, hexes);
+  context_free(context, quality);
+  return made ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
 }
 
 /** The result becomes the pillowed mesh. @param bound  of the worst, whatever lies under the
@@ -139,9 +138,11 @@ static hexcon_status try_sheets(hexcon_context *context, const surface *s,
   if (!status)
     status = quality_bound(context, s, made.points, made.hexes, made.hex_count, &bound);
   if (!status) {
-    const bool kept = wanted || is_better(&made, plain);
+    const bool kept = wanted || pillow_is_worth(&made, plain);
     log_outcome(plain, &made, sheets, kept, mesh);
     if (kept)
+      status = bring_forward(context, sheets * s->quad_count, &made);
+    if (kept && !status)
       take(context, s, bound, sheets, &made, mesh);
   }
   filled_mesh_free(context, &made);
@@ -151,7 +152,7 @@ static hexcon_status try_sheets(hexcon_context *context, const surface *s,
 /** Whether the mesh is good as it is, by the quality that its method found. */
 static bool is_good(const hexcon_mesh *mesh) {
   for (size_t h = 0; h < mesh->hex_count; h++)
-    if (!(mesh->quality[h] >= poor_worst))
+    if (!(mesh->quality[h] >= PILLOW_POOR_WORST))
       return false;
   return true;
 }

@@ -61,16 +61,14 @@ static hexcon_status lay_sheet(hexcon_context *context, growth *g) {
   return status;
 }
 
-/** The new hexes first. */
-static hexcon_status take(hexcon_context *context, growth *g, size_t old_hexes, filled_mesh *out) {
-  size_t added = g->mesh.hex_count - old_hexes;
-  hexcon_status status = filled_mesh_new(context, g->mesh.point_count, g->mesh.hex_count, out);
-  if (status)
-    return status;
-  memcpy(out->points, g->points, 3 * g->mesh.point_count * sizeof *out->points);
-  memcpy(out->hexes, g->mesh.hexes + 8 * old_hexes, 8 * added * sizeof *out->hexes);
-  memcpy(out->hexes + 8 * added, g->mesh.hexes, 8 * old_hexes * sizeof *out->hexes);
-  return HEXCON_OK;
+static hexcon_status take(hexcon_context *context, growth *g, filled_mesh *out) {
+  out->points = g->points;
+  out->hexes = g->mesh.hexes;
+  out->point_count = g->mesh.point_count;
+  out->hex_count = g->mesh.hex_count;
+  *g = (growth){0};
+  out->quality = context_allocate(context, out->hex_count, sizeof *out->quality);
+  return out->quality ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
 }
 
 /** Untangle; and go on with what could be made positive, which most are at once. */
@@ -100,7 +98,7 @@ hexcon_status pillowed_mesh_make(hexcon_context *context, const filled_mesh *fro
   for (size_t i = 0; !status && i < sheets; i++)
     status = lay_sheet(context, &g);
   if (!status)
-    status = take(context, &g, from->hex_count, out);
+    status = take(context, &g, out);
   context_free(context, g.points);
   context_free(context, g.mesh.hexes);
   return status ? status : improve(context, fixed, from->point_count, threads, out);

@@ -11,9 +11,9 @@
  * @param from    a mesh; its quality need not be known
  * @param fixed   [from->point_count] non-zero: the point stays; the new points are free
  * @param sheets  1 or more
- * @param out     measured; its first points are those of `from`; the new hexes come first, the
- * outermost sheet's last of them. Free with filled_mesh_free, also after an error Errors:
- * OUT_OF_MEMORY, TOO_LARGE, CANCELLED, OUT_OF_TIME. Linear, but for the improvement.
+ * @param out     measured; its points and hexes are those of `from`, then the new ones, the
+ *                outermost sheet's last. Free with filled_mesh_free, also after an error
+ * Errors: OUT_OF_MEMORY, TOO_LARGE, CANCELLED, OUT_OF_TIME. Linear, but for the improvement.
  */
 hexcon_status pillowed_mesh_make(hexcon_context *context, const filled_mesh *from,
                                  const uint8_t *fixed, size_t sheets, int threads,
