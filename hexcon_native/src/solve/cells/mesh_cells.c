@@ -30,6 +30,11 @@ enum { STAR_QUADS = 64 };
 /** Nothing else is tried once the worst scaled Jacobian is this, or near what the surface allows.
  */
 static const double good_worst = 0.1, near_the_bound = 0.8;
+/** .. of a star, which is seldom even. */
+static const double near_a_star = 0.5;
+
+/** What improvement aims at, as part of what no placement surpasses. */
+static const double within_bound = 0.9;
 
 /** The centre: sees all corners, or, where some are folded, at least the quads they belong to. Not
  * every body has one, none with holes or cavities. */
@@ -83,9 +88,31 @@ static hexcon_status check_found(hexcon_context *context, const cell_filling *be
 
 static const mesh_taste preference = {.enough = 0.15, .clearly = 1e-3}; /* 1.5 good_worst */
 
+/** What no placement surpasses: at a star's middle the hexes, one for each triangle, share all
+ * directions. One of them has no larger solid angle than their mean, and three unit vectors with
+ * the solid angle a have no larger determinant than 4 tan(a / 2) (Van Oosterom and Strackee, 1983).
+ */
+static double bound_of(const cell_problem *p, closure_kind kind) {
+  const double pi = 3.14159265358979323846;
+  double triangles = 2 * (double)p->s->quad_count;
+  return kind == CLOSURE_STAR ? fmin(p->bound, 4 * tan(2 * pi / triangles)) : p->bound;
+}
+
+/** Where a star is all there can be, it is no worse for being one. */
+static double good_enough(const cell_problem *p, closure_kind kind) {
+  double bound = near_the_bound * p->bound;
+  if (kind == CLOSURE_STAR && !p->options->tetrahedralise)
+    bound = fmin(bound, near_a_star * bound_of(p, kind));
+  return fmin(good_worst, bound);
+}
+
 static bool is_good(const cell_problem *p, const cell_filling *f) {
-  return f->mesh.points && f->mesh.inverted == 0 &&
-         f->mesh.worst >= fmin(good_worst, near_the_bound * p->bound);
+  return f->mesh.points && f->mesh.inverted == 0 && f->mesh.worst >= good_enough(p, f->closure);
+}
+
+/** A scaled Jacobian to raise hexes to, or as far as there is hope. */
+static double within_reach(const cell_problem *p, const cell_filling *f, double wanted) {
+  return fmin(wanted, within_bound * bound_of(p, f->closure));
 }
 
 /** Untangle, raise the mean, which leaves few bad hexes, then the worst of those: enough to see
@@ -94,10 +121,12 @@ static hexcon_status improve_roughly(hexcon_context *context, const cell_problem
                                      cell_filling *f) {
   hexcon_optimize_options untangling = {
       .threads = p->options->threads, .target = 1e-6, .mean_passes = 1};
-  hexcon_optimize_options rough = {
-      .threads = p->options->threads, .target = 1.5 * good_worst, .max_rounds = 3};
-  hexcon_optimize_options longer = {
-      .threads = p->options->threads, .target = 1.2 * good_worst, .max_rounds = 6};
+  hexcon_optimize_options rough = {.threads = p->options->threads,
+                                   .target = within_reach(p, f, 1.5 * good_worst),
+                                   .max_rounds = 3};
+  hexcon_optimize_options longer = {.threads = p->options->threads,
+                                    .target = within_reach(p, f, 1.2 * good_worst),
+                                    .max_rounds = 6};
   hexcon_status status = filled_mesh_improve(context, p->s->point_count, &untangling, &f->mesh);
   if (!status && f->mesh.inverted == 0)
     status = filled_mesh_improve(context, p->s->point_count, &rough, &f->mesh);
@@ -113,7 +142,7 @@ enum { SMALL_MESH = 12000 };
 static hexcon_status polish(hexcon_context *context, const cell_problem *p, cell_filling *f) {
   bool small = f->mesh.hex_count <= SMALL_MESH;
   hexcon_optimize_options options = {.threads = p->options->threads,
-                                     .target = small ? 2.5 * good_worst : 1e-6,
+                                     .target = small ? within_reach(p, f, 2.5 * good_worst) : 1e-6,
                                      .max_rounds = 5,
                                      .mean_passes = 2};
   return f->mesh.inverted == 0 ? filled_mesh_improve(context, p->s->point_count, &options, &f->mesh)
