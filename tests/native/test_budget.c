@@ -121,6 +121,25 @@ static void reserves(void **state) {
   hexcon_context_free(context);
 }
 
+/** A part of the time that is left, and of the effort, until all is there again. */
+static void brief_tries(void **state) {
+  (void)state;
+  hexcon_context *context = hexcon_context_new();
+  assert_close(context_patience(context), 1, 0);
+  double deadline = context_be_brief(context, 0.25); /* there is no end: no other comes of it */
+  assert_close(context->deadline, 0, 0);
+  assert_close(context_patience(context), 0.25, 1e-15);
+  context_resume(context, deadline);
+  assert_close(context_patience(context), 1, 0);
+  double now = context_clock();
+  context_limit(context, now, 1000);
+  deadline = context_be_brief(context, 0.25);
+  assert_true(context->deadline > now + 240 && context->deadline < now + 260);
+  context_resume(context, deadline);
+  assert_close(context->deadline, now + 1000, 1e-6);
+  hexcon_context_free(context);
+}
+
 static int compare(const void *a, const void *b) {
   const int32_t one = *(const int32_t *)a, other = *(const int32_t *)b;
   return (one > other) - (one < other);
@@ -160,8 +179,11 @@ static void sorting(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(asks_grow_with_the_surface), cmocka_unit_test(every_stage_can_be_cancelled),
-      cmocka_unit_test(no_time_at_all), cmocka_unit_test(reserves), cmocka_unit_test(sorting)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(asks_grow_with_the_surface),
+                                     cmocka_unit_test(every_stage_can_be_cancelled),
+                                     cmocka_unit_test(no_time_at_all),
+                                     cmocka_unit_test(reserves),
+                                     cmocka_unit_test(brief_tries),
+                                     cmocka_unit_test(sorting)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -116,6 +116,23 @@ void context_reserve(hexcon_context *context, size_t hexes) {
   context->reserve = fmin(context->again + context->rate * (double)hexes, most * context->budget);
 }
 
+double context_be_brief(hexcon_context *context, double part) {
+  const double deadline = context->deadline;
+  if (deadline > 0)
+    context->deadline = fmin(deadline, context_clock() + part * (deadline - context_clock()));
+  context->left_out = 1 - part;
+  return deadline;
+}
+
+void context_resume(hexcon_context *context, double deadline) {
+  context->deadline = deadline;
+  context->left_out = 0;
+}
+
+double context_patience(const hexcon_context *context) {
+  return 1 - context->left_out;
+}
+
 void context_finish(hexcon_context *context) {
   context->reserve = -fmax(least_tolerance, tolerance * context->budget);
 }

@@ -22,6 +22,7 @@ struct hexcon_context {
   double reserve;       /**< seconds before the deadline at which the work is stopped; see
                              context_reserve and context_finish */
   double rate;          /**< seconds that it takes to finish a hex: to measure and prove it */
+  double left_out;      /**< part of its effort that a method had better spare; 0: none */
   double again;         /**< seconds of what was done to the surface, and is done again to finish */
   progress_stage stage; /**< told last; at first the checks */
   double fraction;      /**< told last */
@@ -66,6 +67,17 @@ void context_limit(hexcon_context *context, double start, double budget);
 
 /** A mesh of so many hexes is being made: stop early enough to prove it. 0: none is. */
 void context_reserve(hexcon_context *context, size_t hexes);
+
+/** What is begun is worth this part of the usual effort, and of the time that is left, if there is
+ * a deadline. @return the deadline, for context_resume */
+double context_be_brief(hexcon_context *context, double part);
+
+/** All the time is there again, and all the effort is worth while. */
+void context_resume(hexcon_context *context, double deadline);
+
+/** The part of its usual effort that what is being done is worth: 1, or what context_be_brief said.
+ */
+double context_patience(const hexcon_context *context);
 
 /** Nothing more is begun: the time reserved is there to be used, and the tolerance of the budget
  * besides, a second or 5 %. */

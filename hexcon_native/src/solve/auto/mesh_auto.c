@@ -110,6 +110,21 @@ static hexcon_status try_candidate(hexcon_context *context, const surface *s,
   return status;
 }
 
+/** Part of the usual effort that a further method is worth: what it can still win of the worst
+ * scaled Jacobian, after a certified mesh; but some, as it may win by its mean or fewer hexes. */
+static double worth_of_a_try(const hexcon_mesh *best) {
+  const double least = 0.1;
+  double enough = fmin(preference.enough, near_the_bound * best->bound);
+  if (!best->hexes || !best->certificate.certified)
+    return 1;
+  return enough > 0 ? fmax(least, 1 - worst_of(best) / enough) : least;
+}
+
+/** Whether the time is up for all, and not for one try alone. */
+static bool is_time_up(const hexcon_context *context) {
+  return context->deadline > 0 && context_clock() >= context->deadline;
+}
+
 /** @return whether there is one */
 static bool find_candidate(int turn, candidate *c) {
   c->with = method_try_of_turn(turn, &c->row);
@@ -142,7 +157,11 @@ hexcon_status mesh_auto(hexcon_context *context, const surface *s,
     if ((options->layers > 0 && !c.row->facts.layers) ||
         (c.row->facts.proposal && !options->proposal))
       continue;
+    double deadline = context_be_brief(context, worth_of_a_try(mesh));
     status = try_candidate(context, s, options, fill, &c, told, mesh, &good);
+    context_resume(context, deadline);
+    if (status == HEXCON_OUT_OF_TIME && !is_time_up(context))
+      continue;
     if (status && !fault_is_about_method(status))
       break;
   }

@@ -7,7 +7,9 @@
 
 /**
  * Try the methods in the order of what their meshes are worth, until one is certified and good;
- * keep the best. Each is told of in the log, and so is the choice.
+ * keep the best. Each is told of in the log, and so is the choice. After a certified mesh a further
+ * method is worth a part of its effort, and of the time that is left: that of the worst scaled
+ * Jacobian that it can still win.
  * @param fill  fills by options->method and certifies the result, whatever the certificate says
  * @param mesh  empty; receives the best
  * Errors: the last method's where none makes a mesh; CANCELLED, OUT_OF_MEMORY, OUT_OF_TIME. A mesh

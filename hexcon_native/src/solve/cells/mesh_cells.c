@@ -250,7 +250,8 @@ hexcon_status mesh_cells(hexcon_context *context, const surface *s,
   hexcon_status status = prepare(context, s, options, &p);
   size_t tried = 0;
   for (; !status && tried < ATTEMPTS && !is_good(&p, &best); tried++) {
-    if (tried >= FOR_QUALITY && best.mesh.points && best.mesh.inverted == 0)
+    if ((double)tried >= context_patience(context) * FOR_QUALITY && best.mesh.points &&
+        best.mesh.inverted == 0)
       break;
     status = try_way(context, &p, &attempts[tried], mesh, &best);
   }

@@ -137,6 +137,10 @@ static size_t width_for(size_t quads) {
   return (size_t)fmin(MOST_WIDTH, fmax(LEAST_WIDTH, WIDTH * part * sqrt(part)));
 }
 
+static bool is_tired(const hexcon_context *context, const shelling *w) {
+  return w->quads_seen > context_patience(context) * most_quads_seen;
+}
+
 /** One beam, as its taste has it. */
 static hexcon_status search_rotations(hexcon_context *context, shelling *w, double core_weight) {
   rotation_search search;
@@ -151,7 +155,7 @@ static hexcon_status search_rotations(hexcon_context *context, shelling *w, doub
       status = try_promising(context, w, &search);
     bool late =
         w->first_rotations != SIZE_MAX && search.step >= w->first_rotations + ROTATIONS_MORE;
-    if (status || is_over(w) || late || search.step >= most || w->quads_seen > most_quads_seen)
+    if (status || is_over(w) || late || search.step >= most || is_tired(context, w))
       break;
     status = rotation_search_advance(context, &search);
     w->quads_seen += (double)search.candidate_count * (double)quads;
@@ -194,7 +198,7 @@ hexcon_status mesh_shelling(hexcon_context *context, const surface *s,
   if (!status)
     status = find_space(context, &w);
   for (size_t i = 0; !status && i < CORE_WEIGHTS && w.best.inverted + !w.best.points > 0; i++)
-    if (w.quads_seen <= most_quads_seen)
+    if (!is_tired(context, &w))
       status = search_rotations(context, &w, core_weights[i]);
   status = mesh_settle(context, status, w.best.points, mesh);
   if (!status && !w.best.points)
