@@ -113,8 +113,8 @@ def _add_check(commands_parser):
 def _add_repair(commands_parser):
     command = commands_parser.add_parser(
         "repair", help="untangle and improve a hex mesh, with new hexes where moving points does not do", epilog=_EXIT,
-        description=f"MESH is any hex mesh ({' '.join(shown(READERS))}), OUT as of hexcon mesh. The boundary stays as it "
-                    "is. The exit status is that of a check of OUT.")
+        description=f"MESH is any hex mesh ({' '.join(shown(READERS))}), OUT as of hexcon mesh. The boundary stays "
+                    "as it is. The exit status is that of a check of OUT.")
     command.add_argument("input", metavar="MESH")
     command.add_argument("-o", "--output", metavar="OUT", action="append", required=True,
                          help="may be given several times")
