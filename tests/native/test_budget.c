@@ -104,10 +104,16 @@ static void reserves(void **state) {
   context_limit(context, now - 50, 100); /* half of it is gone */
   context->rate = 1e-3;
   assert_int_equal(context_ask(context), HEXCON_OK);
-  context_reserve(context, 10000); /* 10 s */
+  context_reserve(context, 45000, false); /* 45 s: more than half of the budget, and there are 50 */
+  assert_close(context->reserve, 45, 1e-9);
   assert_int_equal(context_ask(context), HEXCON_OK);
-  context_reserve(context, 1000000); /* more than there is: half of the budget */
-  assert_close(context->reserve, 50, 1e-9);
+  context_reserve(context, 1000000, false); /* more than there is: to the end */
+  assert_close(context->reserve, 0, 1e-9);
+  assert_int_equal(context_ask(context), HEXCON_OK);
+  context_reserve(context, 1000000, true); /* what there is can only be proved at once */
+  assert_int_equal(context_ask(context), HEXCON_OUT_OF_TIME);
+  context_reserve(context, 0, true);
+  assert_int_equal(context_ask(context), HEXCON_OK);
   context_limit(context, now - 100.5, 100);
   assert_int_equal(context_ask(context), HEXCON_OUT_OF_TIME);
   context_finish(context); /* 4 s more */

@@ -111,9 +111,10 @@ void context_limit(hexcon_context *context, double start, double budget) {
   context->reserve = context->rate = context->again = 0;
 }
 
-void context_reserve(hexcon_context *context, size_t hexes) {
-  const double most = 0.5; /* of the budget: an estimate must not take all of it */
-  context->reserve = fmin(context->again + context->rate * (double)hexes, most * context->budget);
+void context_reserve(hexcon_context *context, size_t hexes, bool finished) {
+  const double needed = context->again + context->rate * (double)hexes;
+  const bool fits = context->deadline > 0 && context_clock() + needed <= context->deadline;
+  context->reserve = fits || finished ? needed : 0;
 }
 
 double context_be_brief(hexcon_context *context, double part) {

@@ -65,8 +65,15 @@ hexcon_status context_progress(hexcon_context *context, progress_stage stage, do
  * @param budget  seconds from `start`; 0: none */
 void context_limit(hexcon_context *context, double start, double budget);
 
-/** A mesh of so many hexes is being made: stop early enough to prove it. 0: none is. */
-void context_reserve(hexcon_context *context, size_t hexes);
+/**
+ * A mesh of so many hexes is being made: stop early enough to prove it. Where the estimate says
+ * that there is no time for that, what is finished is not worked on any more, so that the proof has
+ * all that is left; and the rest goes on to the end: nothing is lost by it, and estimates are
+ * rough.
+ * @param hexes     0: none is
+ * @param finished  whether the mesh could be proved as it is
+ */
+void context_reserve(hexcon_context *context, size_t hexes, bool finished);
 
 /** What is begun is worth this part of the usual effort, and of the time that is left, if there is
  * a deadline. @return the deadline, for context_resume */

@@ -331,7 +331,7 @@ static hexcon_status fill_by_method(hexcon_context *context, const surface *s,
     return HEXCON_OUT_OF_MEMORY;
   memcpy(mesh->quads, s->quads, 4 * s->quad_count * sizeof *mesh->quads);
   mesh_note(mesh, "turned outward", s->turned);
-  context_reserve(context, 0);
+  context_reserve(context, 0, false);
   hexcon_status status = construct(context, s, options, mesh);
   context_finish(context);
   if (!status)

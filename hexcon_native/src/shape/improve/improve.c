@@ -208,6 +208,16 @@ typedef struct effort {
 static const effort efforts[] = {{0, false}, {1, false}, {2, false},
                                  {4, false}, {4, true},  {10, true}};
 
+/** Where more than this part of the hexes are inverted, and a round mends less than that part of
+ * those, it would go on for hours and not come to an end: hexes between walls that are closer than
+ * what is to lie between them. */
+static const double hopeless = 0.1, slow = 0.02;
+
+static bool is_hopeless(const improvement *m, size_t count, size_t before) {
+  return (double)count > hopeless * (double)m->set.mesh_hex_count &&
+         (double)count > (1 - slow) * (double)before;
+}
+
 /** Inverted hexes in neighbourhoods that grow while they do not come right. */
 static hexcon_status repair_mesh(hexcon_context *context, improvement *m, int rounds,
                                  size_t *done) {
@@ -224,9 +234,9 @@ static hexcon_status repair_mesh(hexcon_context *context, improvement *m, int ro
       status = context_pass(context, h);
     }
     harder += count >= before;
-    before = count;
-    if (status || count == 0 || harder == most)
+    if (status || count == 0 || harder == most || (harder > 1 && is_hopeless(m, count, before)))
       break;
+    before = count;
     m->patient = efforts[harder].patient;
     tell(context, m);
     status = hex_groups_fill(context, &m->set, m->seeds, count, SIZE_MAX, &m->groups);
@@ -386,6 +396,8 @@ static hexcon_status improve_ordered(hexcon_context *context, canonical_order *m
     status = workers_run(context, m.threads, ranges, STAGE_MEASURING, measure_range, &m);
   if (!status)
     status = repair_mesh(context, &m, most, &repairs);
+  if (!status && summarise(&m, NULL, mesh->hex_count).inverted == 0)
+    context_reserve(context, mesh->hex_count, true);
   if (!status)
     status = sharpen_mesh(context, &m, most, &sharpenings);
   if (!status)
@@ -402,7 +414,7 @@ hexcon_status improve_mesh(hexcon_context *context, double *points, size_t point
                            const hexcon_optimize_options *options, size_t *rounds) {
   const hexcon_optimize_options defaults = {0};
   canonical_order mesh;
-  context_reserve(context, hex_count);
+  context_reserve(context, hex_count, false);
   hexcon_status status =
       canonical_order_new(context, points, point_count, hexes, hex_count, fixed, &mesh);
   if (!status) {

@@ -149,6 +149,13 @@ static hexcon_status polish(hexcon_context *context, const cell_problem *p, cell
                                : HEXCON_OK;
 }
 
+/** More than this part of the hexes inverted after all: walls are closer than cells are thick. */
+static const double hopeless = 0.1;
+
+static bool is_hopeless(const cell_filling *f) {
+  return f->mesh.points && (double)f->mesh.inverted > hopeless * (double)f->mesh.hex_count;
+}
+
 static const char *const closure_names[] = {"star", "tetrahedra"};
 
 static void log_attempt(hexcon_mesh *mesh, const attempt *way, const cell_filling *f) {
@@ -252,6 +259,8 @@ hexcon_status mesh_cells(hexcon_context *context, const surface *s,
   for (; !status && tried < ATTEMPTS && !is_good(&p, &best); tried++) {
     if ((double)tried >= context_patience(context) * FOR_QUALITY && best.mesh.points &&
         best.mesh.inverted == 0)
+      break;
+    if (tried > 1 && is_hopeless(&best))
       break;
     status = try_way(context, &p, &attempts[tried], mesh, &best);
   }

@@ -121,7 +121,7 @@ static hexcon_status make(hexcon_context *context, const surface *s, size_t shee
   if (!fixed)
     return HEXCON_OUT_OF_MEMORY;
   memset(fixed, 1, s->point_count);
-  context_reserve(context, plain->hex_count + sheets * s->quad_count);
+  context_reserve(context, plain->hex_count + sheets * s->quad_count, true);
   hexcon_status status = pillowed_mesh_make(context, plain, fixed, sheets, threads, made);
   context_free(context, fixed);
   return status;

@@ -104,7 +104,7 @@ static hexcon_status take(hexcon_context *context, const surface *s,
   memcpy(m->points, s->points, 3 * s->point_count * sizeof *m->points);
   memcpy(m->hexes, proposal->hexes, 8 * proposal->hex_count * sizeof *m->hexes);
   place(s, proposal, m);
-  context_reserve(context, proposal->hex_count);
+  context_reserve(context, proposal->hex_count, false);
   return check_topology(context, s, m);
 }
 

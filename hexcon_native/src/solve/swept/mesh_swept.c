@@ -47,7 +47,7 @@ static hexcon_status place(hexcon_context *context, const surface *s, const swee
   if (status)
     return status;
   memcpy(f->mesh.points, s->points, 3 * s->point_count * sizeof *f->mesh.points);
-  context_reserve(context, hex_count);
+  context_reserve(context, hex_count, false);
   status = sweep_write_hexes(context, w, f->mesh.hexes);
   sweep_levels levels = {w->rings,     w->cap_quad_count, w->cap_point_count,
                          w->cap_quads, w->on_rim,         w->ids};
