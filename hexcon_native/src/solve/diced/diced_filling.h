@@ -33,6 +33,7 @@ typedef struct diced_filling {
   diced_block block;
   diced_closure closure;
   double scale; /* of the blocks' heights */
+  double bound; /* of the worst scaled Jacobian, by narrow corners */
   size_t tetrahedron_count, triangle_count, quad_count;
 } diced_filling;
 

@@ -7,6 +7,7 @@
 
 #include "construct/coarse_ways.h"
 #include "diced_filling.h"
+#include "solve/common/narrow_corners.h"
 #include "surface/build.h"
 #include "surface/corner_angles.h"
 #include "surface/star_center.h"
@@ -42,13 +43,13 @@ static const double wanted_worst_block = 0.15;
 static const mesh_taste preference = {
     .enough = 0.2 /* good_worst */, .clearly = 1e-3, .clear_mean = INFINITY, .fewer = true};
 
-static double good_enough(const diced_problem *p) {
+static double good_enough(const diced_problem *p, const diced_filling *f) {
   double good = p->coarse.quad_count > 0 ? good_worst_block : good_worst;
-  return fmin(good, near_the_bound * p->bound);
+  return fmin(good, near_the_bound * fmin(p->bound, f->bound));
 }
 
 static bool is_good(const diced_problem *p, const diced_filling *f) {
-  return f->mesh.points && f->mesh.inverted == 0 && f->mesh.worst >= good_enough(p);
+  return f->mesh.points && f->mesh.inverted == 0 && f->mesh.worst >= good_enough(p, f);
 }
 
 /* ------------------------------------------------------------------------------------- problem */
@@ -170,8 +171,12 @@ static hexcon_status try_closure(hexcon_context *context, const diced_problem *p
   hexcon_status status =
       diced_filling_build(context, p, blocks[way].block, closure, blocks[way].scale, &f);
   bool built = !status && f.mesh.points;
+  f.bound = 1;
   if (built)
     status = improve_or_put_off(context, p, way, &f.mesh);
+  if (built && !status)
+    status = narrow_corner_bound(context, f.mesh.points, f.mesh.hexes, f.mesh.hex_count,
+                                 p->s->point_count, &f.bound);
   if (!status)
     log_attempt(mesh, &f);
   if (built && mesh_stop(context, status) &&
@@ -270,7 +275,7 @@ hexcon_status mesh_diced(hexcon_context *context, const surface *s,
   mesh_note_seconds(mesh, "diced", start);
   if (!status) {
     tell(&best, mesh);
-    filled_mesh_hand_over(&best.mesh, p.bound, s->quad_count, mesh);
+    filled_mesh_hand_over(&best.mesh, fmin(p.bound, best.bound), s->quad_count, mesh);
   }
   filled_mesh_free(context, &best.mesh);
   forget_reading(context, &p);

@@ -6,6 +6,7 @@
 
 #include "core_mesh.h"
 #include "sheet_cores.h"
+#include "solve/common/narrow_corners.h"
 #include "solve/common/quality_bound.h"
 #include "solve/cuts/mesh_cuts.h"
 #include "solve/swept/mesh_swept.h"
@@ -220,6 +221,9 @@ static hexcon_status fill_ball(hexcon_context *context, const surface *s, const 
   mesh_note_seconds(mesh, "sheets", start);
   bool late = status == HEXCON_OUT_OF_TIME;
   status = mesh_settle(context, status, best.mesh.points != NULL, mesh);
+  if (!status && best.mesh.points)
+    status = narrow_corner_bound(context, best.mesh.points, best.mesh.hexes, best.mesh.hex_count,
+                                 s->point_count, &best.bound);
   if (!status && !late && !p->rough && !is_good(&best))
     status = try_cores(context, s, options, &best, &with_core, mesh);
   if (!status && !best.mesh.points && !with_core.mesh.points)
