@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import sound_solids
-from quads_solids import Part
+from quads_solids import Part, Vector
 
 import hexcon
 from hexcon.errors import FaultCode, ToolError
@@ -43,3 +43,18 @@ def test_short_edge_is_a_point():
     assert min(ends) < 1e-9 < 1e-3 < max(ends)
     number = next(k for k, e in enumerate(shape.Edges, 1) if e.isSame(short))
     assert any(f"taken as points: Edge{number} (0.004 long, at (20, 20, " in note for note in mesh.surface.notes)
+
+
+def test_thin_wall_behind_a_curved_face(wall=0.2):
+    """Triangles of the size asked for would reach through to the other side."""
+    mesh = hexcon.mesh_solid(Part.makeSphere(10).cut(Part.makeSphere(10 - wall)), 5.0)
+    assert mesh.certificate.certified and "surface tries" not in mesh.report
+    assert any("smaller where the solid is curved or narrow" in note for note in mesh.surface.notes)
+
+
+def test_tip_of_a_pencil():
+    """What its tip allows is good enough: the hexes at it share its solid angle."""
+    shape = Part.makeCylinder(4, 40).fuse(Part.makeCone(4, 0, 20, Vector(0, 0, 40))).removeSplitter()
+    mesh = hexcon.mesh_solid(shape, 3.0)
+    assert mesh.certificate.certified and any("good enough" in line for line in mesh.report["log"])
+    assert not any(line.startswith(("diced", "cells")) for line in mesh.report["log"])

@@ -98,6 +98,18 @@ def test_surfaces_that_cannot_be_made(monkeypatch, surfaces, code, elements, tri
     assert len(surfaces.asked) == 1 + tried
 
 
+def test_half_the_size_where_quads_cross(monkeypatch, surfaces):
+    """The last rung of the ladder is for those alone."""
+    core = Core(monkeypatch, *[ErrorCode.SELF_INTERSECTING] * 4)
+    assert mesh_solid("part.step", 10.0).surface.tried == 4
+    assert surfaces.asked == [(10.0, 0), (9.4, 1), (8.8, 2), (8.0, 3), (5.0, 3)] and len(core.calls) == 5
+    surfaces.asked.clear()
+    Core(monkeypatch, *[ErrorCode.SELF_INTERSECTING] * 3, ErrorCode.NOT_CERTIFIED)
+    with pytest.raises(HexconError):
+        mesh_solid("part.step", 10.0)
+    assert len(surfaces.asked) == 4
+
+
 def test_a_first_surface_that_is_there_is_taken(monkeypatch, surfaces):
     core = Core(monkeypatch, ErrorCode.NOT_CERTIFIED)
     mesh = Strategy().of_solid("part.step", 10.0, first=surface_of(16))

@@ -35,13 +35,17 @@ _CHECKED = ("order", "layers", "threads", "pairing", "pillow", "budget")    # wh
 
 @dataclass(frozen=True)
 class Try:
-    """A surface to be tried: what part of the size, and how careful (see quads.surface_from_solid)."""
+    """A surface to be tried: what part of the size, and how careful (see quads.surface_from_solid).
+
+    crossing: only where the quads of the one before cross, as in walls much thinner than they are long
+    """
 
     factor: float
     care: int
+    crossing: bool = False
 
 
-TRIES = (Try(1.0, 0), Try(0.94, 1), Try(0.88, 2), Try(0.8, 3))
+TRIES = (Try(1.0, 0), Try(0.94, 1), Try(0.88, 2), Try(0.8, 3), Try(0.5, 3, crossing=True))
 
 
 class Strategy:
@@ -83,10 +87,11 @@ class Strategy:
                 surface = first if number == 0 and first is not None else \
                     self._surface(shape_or_file, size, number, limited(raising(progress), deadline))
                 seconds += time.monotonic() - started
-                mesh = self._fill(surface, progress, deadline, last=number == len(tries) - 1)
+                mesh = self._fill(surface, progress, deadline,
+                                  last=all(after.crossing for after in tries[number + 1:]))
                 break
             except HexconError as fault:
-                if number == len(tries) - 1 or not is_worth_another(fault):
+                if not _is_worth_going_on(tries[number + 1:], fault):
                     raise
                 told.append(f"{one.factor:g} times the size: {fault.code.name}: {fault}")
         if told:
@@ -160,6 +165,12 @@ def _telling(mesh, refused):
     """The mesh, its log beginning with what was tried before it."""
     mesh.report["log"][:0] = refused
     return mesh
+
+
+def _is_worth_going_on(left, fault):
+    """Whether the first of the tries that are left may do."""
+    return bool(left) and is_worth_another(fault) and (not left[0].crossing
+                                                       or fault.code is ErrorCode.SELF_INTERSECTING)
 
 
 def is_worth_another(fault):

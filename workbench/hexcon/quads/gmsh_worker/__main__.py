@@ -56,8 +56,10 @@ def _made(row, solid, job, link, notes):
     def arrays(mesh):
         return _arrays(solid, mesh, job["size"], row.name, notes + mesh["notes"] + left_out)
     link.kept_as(arrays)
-    mesh = make(solid, job["size"], link=link, **{name: offered[name] for name in row.takes})
-    link.over()
+    try:
+        mesh = make(solid, job["size"], link=link, **{name: offered[name] for name in row.takes})
+    finally:
+        link.over()
     link.progress("check", 0.0)
     return arrays(mesh)
 

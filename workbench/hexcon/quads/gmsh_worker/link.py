@@ -37,6 +37,8 @@ class Link:
     def over(self):
         """No call that was announced is at work any more."""
         self._end_after(0.0)
+        if self._folder and os.path.exists(os.path.join(self._folder, "risk.txt")):
+            os.remove(os.path.join(self._folder, "risk.txt"))
 
     def _end_after(self, seconds):
         if self._folder and hasattr(signal, "setitimer"):       # not on Windows

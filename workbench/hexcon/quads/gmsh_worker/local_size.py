@@ -8,7 +8,10 @@ import gmsh
 import numpy as np
 from scipy.spatial import cKDTree
 
+from .walls import Walls
+
 PER_TURN = 10       # least number of elements round a full circle
+WALL = 1.0          # at most so many times what a thin wall behind a curved face allows, whatever the scale
 GROWTH = 0.6       # of the size, for each unit of distance
 LEAST = 0.04        # of the wanted size: no bound of curves and gaps goes below
 LEAST_EDGE = 0.0005  # and none of short edges, which take few elements however short they are
@@ -16,14 +19,14 @@ SAMPLES = 4000      # at most so many points on one edge
 
 
 class LocalSize:
-    """size(points) for a Solid, at most `size`; .least: the smallest bound anywhere.
+    """size(points) for a Solid, at most `size`; .least: the smallest bound anywhere; .wall: of thin walls, at scale 1.
 
     Cost: O(S log S) for S sample points on the edges, spaced by a third of the bounds; a call O(log S) a point.
     """
 
     def __init__(self, solid, size, scale=1.0):
         self.size = size
-        points, bounds = _bounds(solid, size, scale)
+        points, bounds, self.wall = _bounds(solid, size, scale)
         low = bounds < size
         self._points, self._bounds = points[low], _graded(points[low], bounds[low], size)
         self._tree = cKDTree(self._points) if low.any() else None
@@ -44,23 +47,24 @@ class LocalSize:
 
 
 def _bounds(solid, size, scale):
-    """(points (S,3), bounds (S,)) on all edges and curved faces."""
+    """(points (S,3), bounds (S,), smallest bound of a wall) on all edges and curved faces."""
     samples = {e: _edge_samples(solid, e, size) for e in solid.edges}
     short = np.concatenate([np.full(len(p), solid.length(e)) for e, (p, _) in samples.items()])
     points = [p for p, _ in samples.values()]
     bounds = [b.copy() for _, b in samples.values()]
     row = dict(zip(samples, range(len(points))))
+    walls = Walls(solid, size)
     for face in solid.faces:
         edges = sorted({abs(e) for e in solid.boundary[face]})
         for e, gaps in zip(edges, _gaps(solid, edges, [points[row[e]] for e in edges])):
             np.minimum(bounds[row[e]], gaps, out=bounds[row[e]])
         if not solid.is_plane(face):
-            where, bound = _face_samples(face, size)
+            where, bound, wall = _face_samples(face, walls)
             points.append(where)
-            bounds.append(bound)
+            bounds.append(np.minimum(bound, min(WALL, scale) / scale * wall))
     bounds = np.maximum(scale * np.concatenate(bounds), LEAST * size)
     bounds[:len(short)] = np.minimum(bounds[:len(short)], np.maximum(scale * short, LEAST_EDGE * size))
-    return np.concatenate(points), bounds
+    return np.concatenate(points), bounds, walls.least
 
 
 def _edge_samples(solid, edge, size):
@@ -90,8 +94,8 @@ def _gaps(solid, edges, points):
     return found
 
 
-def _face_samples(face, size, count=9):
-    """Points on a grid of parameters of a curved face, and what its curvature allows."""
+def _face_samples(face, walls, count=9):
+    """Points on a grid of parameters of a curved face, and what its curvature and walls behind it allow."""
     low, high = gmsh.model.getParametrizationBounds(2, face)
     axes = [np.linspace(a, b, count + 2)[1:-1] for a, b in zip(low, high)]
     grid = np.stack(np.meshgrid(*axes), axis=-1).reshape(-1, 2)
@@ -100,7 +104,7 @@ def _face_samples(face, size, count=9):
     with np.errstate(divide="ignore"):
         bound = np.where(curvature > 1e-12, 2 * np.pi / PER_TURN / curvature, np.inf)
     good = np.isfinite(points).all(axis=1) & ~np.isnan(bound)
-    return points[good], bound[good]
+    return points[good], bound[good], walls.bounds(face, points[good], curvature[good])
 
 
 def _graded(points, bounds, size):

@@ -10,6 +10,7 @@ METHOD = "subdivided-triangles"
 SCALES = (None, 2.0, 1.4, 1.0, 0.7)
 # gmsh's numbers of Mesh.Algorithm. The frontal one makes the better triangles, but does not end on sharp cones.
 FRONTAL, MESH_ADAPT = 6, 1
+CROSSING = 2.4      # times the size that thin walls allow
 
 
 def triangle_surface(solid, size, link, care=0):
@@ -19,7 +20,7 @@ def triangle_surface(solid, size, link, care=0):
     the first good surface is taken, or the best. link: a Link; care: how many of SCALES are left out. Raises WorkerFault NOT_ALL_QUAD, TOOL_FAILED.
     """
     best, last, notes = None, None, []
-    scales = SCALES[min(care, len(SCALES) - 1):]
+    scales = SCALES[min(max(care, int(_cross(solid, size))), len(SCALES) - 1):]
     for k, scale in enumerate(scales):
         link.progress("mesh", k / len(scales))
         name = "the even size" if scale is None else f"{scale:g} times the sizes of curves and gaps"
@@ -40,6 +41,11 @@ def triangle_surface(solid, size, link, care=0):
     if best is None:
         raise last
     return _noted(*best, notes, size)
+
+
+def _cross(solid, size):
+    """Whether triangles of the even size cut through a thin wall."""
+    return 2.0 * size > CROSSING * LocalSize(solid, 2.0 * size).wall
 
 
 def _tried(solid, size, local, link, name):
