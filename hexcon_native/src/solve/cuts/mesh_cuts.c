@@ -22,6 +22,9 @@ static const double good_part = 0.6;
 /** Improvement stops at this part of the bound, and aims at this much where there is none. */
 static const double near_the_bound = 0.95, least_target = 1e-3;
 
+/** Rounds of improvement where no mesh can be valid. */
+enum { HOPELESS_ROUNDS = 2 };
+
 static const mesh_taste preference = {
     .enough = 1, .clearly = 0.01, .clear_mean = 0.01, .fewer = true};
 
@@ -125,7 +128,8 @@ static hexcon_status join(hexcon_context *context, const cut_body *ball, const h
   return HEXCON_OK;
 }
 
-/** Improve what falls short of what the surface allows. */
+/** Improve what falls short of what the surface allows; also where it allows no valid mesh, as a
+ * pillow may help then, which begins with these places. */
 static hexcon_status improve(hexcon_context *context, const cut_search *w, cut_filling *f) {
   filled_mesh *m = &f->mesh;
   hexcon_status status = filled_mesh_measure(context, m);
@@ -133,8 +137,9 @@ static hexcon_status improve(hexcon_context *context, const cut_search *w, cut_f
     status = quality_bound(context, w->s, m->points, m->hexes, m->hex_count, &f->bound);
   const hexcon_optimize_options options = {.threads = w->options->threads,
                                            .target = fmax(near_the_bound * f->bound, least_target),
-                                           .mean_passes = 2};
-  if (status || m->worst >= options.target || f->bound <= 0)
+                                           .max_rounds = f->bound > 0 ? 0 : HOPELESS_ROUNDS,
+                                           .mean_passes = f->bound > 0 ? 2 : 0};
+  if (status || m->worst >= options.target)
     return status;
   return filled_mesh_improve(context, w->s->point_count, &options, m);
 }
