@@ -32,8 +32,8 @@ class Try:
             (f", narrow places split {self.levels} times" if self.levels else "")
 
 
-TRIES = (Try(1.0, EVERY_EDGE), Try(1.0), Try(1.0, slivers=True), Try(1.0, EVERY_EDGE, levels=1), Try(1.0, levels=1),
-         Try(0.8, EVERY_EDGE), Try(0.8), Try(0.8, slivers=True), Try(0.64), Try(0.5, slivers=True), Try(0.4), Try(0.3))
+TRIES = (Try(1.0, EVERY_EDGE), Try(1.0), Try(1.0, slivers=True), Try(0.8, EVERY_EDGE), Try(0.8), Try(0.8, slivers=True),
+         Try(1.0, EVERY_EDGE, levels=1), Try(1.0, levels=1), Try(0.64), Try(0.5, slivers=True), Try(0.4), Try(0.3))
 
 
 def grid_surface(solid, size, link, timeout):
