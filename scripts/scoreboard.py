@@ -21,7 +21,7 @@ import time
 from concurrent import futures
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-GRACE = 1.25    # times the limit, in processor seconds: the budget ends a search before, a signal what does not end
+GRACE = 3.0     # times the limit, in processor seconds: what a signal ends, should the budget not have ended it before
 
 
 def measured(path, limit):
