@@ -108,7 +108,9 @@ def test_faults_are_told():
 
 
 def test_small_features_are_named(features):
-    found = features(lambda occ: occ.fuse([(3, occ.addBox(0, 0, 0, 6, 6, 3))], [(3, occ.addBox(0, 0.1, 3, 6, 5.9, 3))]), 1.0)
+    def build(occ):
+        occ.fuse([(3, occ.addBox(0, 0, 0, 6, 6, 3))], [(3, occ.addBox(0, 0.1, 3, 6, 5.9, 3))])
+    found = features(build, 1.0)
     words, faces = too_small(found, 1.0)
     assert "0.1 wide" in words or "0.1 long" in words
     assert "0.4 would" in words or "0.39" in words

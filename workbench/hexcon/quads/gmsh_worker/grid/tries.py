@@ -12,8 +12,8 @@ from .overlay import GOOD, Work, overlay
 from .too_small import too_small
 
 THIN = 0.45             # smaller parts of the size are tried only where nothing else came out
-BUDGET, TIMES = 25_000, 4.0     # hexes looked at in all tries, or so many times those of the first
-SHARE, MOST = 0.4, 0.5  # of the time limit, after which no try is begun and at which the last one is ended
+BUDGET, TIMES = 20_000, 4.0     # hexes looked at in all tries, or so many times those of the first
+SHARE, MOST = 0.4, 0.5  # of the time limit, in processor time: no try is begun then, and the last one is ended
 
 
 @dataclass(frozen=True)
@@ -43,13 +43,14 @@ def grid_surface(solid, size, link, timeout):
     Returns a dict of points (V,3), quads (n,4), faces (n,), hexes (H,8) and notes. Raises WorkerFault NOT_GRIDDED.
     """
     link.progress("features", 0.0)
-    link.patience, begun = MOST * timeout, time.monotonic()
+    link.patience, begun = MOST * timeout, time.process_time()
     if not link.risk("grid"):
         raise WorkerFault("NOT_GRIDDED", f"not done in {MOST:g} of the time limit: more time, or a larger size, may do")
     cad, work, faults, best, limit = Cad(solid, size), Work(), [], None, BUDGET
     known = {}
     for number, one in enumerate(TRIES):
-        if work.hexes > limit or time.monotonic() - begun > SHARE * timeout or (best is not None and one.factor < THIN):
+        late = time.process_time() - begun > SHARE * timeout
+        if late or work.hexes > limit or (best is not None and one.factor < THIN):
             break
         features = _features(cad, one, size, known)
         if features is None:
