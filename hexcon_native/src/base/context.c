@@ -114,7 +114,7 @@ void context_limit(hexcon_context *context, double start, double budget) {
 void context_reserve(hexcon_context *context, size_t hexes, bool finished) {
   const double needed = context->again + context->rate * (double)hexes;
   const bool fits = context->deadline > 0 && context_clock() + needed <= context->deadline;
-  context->reserve = fits || finished ? needed : 0;
+  context->reserve = hexes > 0 && (fits || finished) ? needed : 0;
 }
 
 double context_be_brief(hexcon_context *context, double part) {

@@ -70,7 +70,7 @@ void context_limit(hexcon_context *context, double start, double budget);
  * that there is no time for that, what is finished is not worked on any more, so that the proof has
  * all that is left; and the rest goes on to the end: nothing is lost by it, and estimates are
  * rough.
- * @param hexes     0: none is
+ * @param hexes     0: none is, and there is nothing to stop for
  * @param finished  whether the mesh could be proved as it is
  */
 void context_reserve(hexcon_context *context, size_t hexes, bool finished);
