@@ -868,7 +868,8 @@ def project_points(points, carrier_of_point, carriers, *, project=None):
 
 
 @_named_memory
-def relax(points, hexes, carrier_of_point, carriers, *, project=None, rounds=0, threads=0, budget=0.0, progress=None):
+def relax(points, hexes, carrier_of_point, carriers, *, project=None, rounds=0, passes=0, mean_passes=0, threads=0,
+          budget=0.0, progress=None):
     """Untangle and smooth a hex mesh of order 1 and its boundary together: points slide on what they lie on.
 
     points, hexes     as quality; hexes may have no volume at the start
@@ -879,10 +880,13 @@ def relax(points, hexes, carrier_of_point, carriers, *, project=None, rounds=0, 
                       places on the carriers of kind "curve" and "surface" with these tags, and a tangent or normal
                       there, of any length but 0; called for many points at once, some 50 times
     rounds            of untangling and evening (0: 16)
+    passes            after that, over what is inverted and over what can be better, as optimize makes them, while
+                      points slide; those that project is asked for are held. 0: none, nor any for the mean
+    mean_passes       as of optimize, after those
     threads           0: one per processor; the result does not depend on it
     budget            seconds, after which the best so far is returned; 0: no limit
     Returns (P, 3) float64, on the carriers as near as rounding allows, and never worse than the start put on them:
-    fewer inverted corners, then a higher worst scaled Jacobian. The numbering of the mesh does not matter,
+    fewer inverted corners, then (without mean_passes) a higher worst scaled Jacobian. The numbering of the mesh does not matter,
     as long as no two points lie in one place. Raises as optimize, WRONG_SHAPE, INDEX_OUT_OF_RANGE (elements:
     points whose carrier does not exist), BAD_ARGUMENT (elements: carriers), CANCELLED; the best points so far are then the
     error's `points`. Cost: linear in the hexes, some ten Newton steps.
@@ -890,7 +894,8 @@ def relax(points, hexes, carrier_of_point, carriers, *, project=None, rounds=0, 
     points, hexes = _mesh(points, hexes)
     sliding = _sliding(carrier_of_point, carriers, project, len(points))
     with _best_when_cancelled(points):
-        _core.relax(points, hexes, *sliding, _count("rounds", rounds), _count("threads", threads),
+        _core.relax(points, hexes, *sliding, _count("rounds", rounds), _count("passes", passes),
+                    _count("mean_passes", mean_passes), _count("threads", threads),
                     _number("budget", budget, "a number of seconds"), _progress(progress))
     return points
 

@@ -554,16 +554,22 @@ hexcon_status hexcon_project_points(hexcon_context *context, const double *point
 /** Options of hexcon_relax; zero means default. */
 typedef struct hexcon_relax_options {
   int max_rounds; /**< of untangling and evening; default 16 */
-  int threads;    /**< default: one per processor. The result does not depend on it */
-  double budget;  /**< seconds of wall time, after which the best so far is returned; 0: no limit */
+  /** Passes after that over what is inverted and over what can be better, as hexcon_optimize makes
+   * them, while points slide; those on pieces that hexcon_project is asked for are held. Default 0:
+   * none, nor any for the mean. */
+  int passes;
+  int mean_passes; /**< as of hexcon_optimize, after those */
+  int threads;     /**< default: one per processor. The result does not depend on it */
+  double budget; /**< seconds of wall time, after which the best so far is returned; 0: no limit */
 } hexcon_relax_options;
 
 /**
  * Untangle and smooth a hex mesh and its boundary together: points slide on what they lie on, and
  * are put back onto it, as near as rounding allows, after every step. From any start, also with
  * hexes of no volume. The start is put on its carriers first; the result is never worse than that:
- * fewer inverted hexes, by their corners, then a higher worst scaled Jacobian. It does not depend
- * on how points and hexes are numbered, as long as no two points lie in one place.
+ * fewer inverted hexes, by their corners, then (without mean_passes) a higher worst scaled
+ * Jacobian. It does not depend on how points and hexes are numbered, as long as no two points lie
+ * in one place.
  * @param sliding    what each point slides on
  * @param options    NULL for defaults
  * @param positions  [point_count][3] receives the result; may be `points` itself

@@ -501,8 +501,8 @@ static PyMethodDef methods[] = {
      "project_points(points, carrier_of_point, starts, pieces, project or None) -> (points, "
      "directions)"},
     {"relax", relax, METH_VARARGS,
-     "relax(positions, hexes, carrier_of_point, starts, pieces, project or None, rounds, threads, "
-     "budget, progress)"},
+     "relax(positions, hexes, carrier_of_point, starts, pieces, project or None, rounds, passes, "
+     "mean_passes, threads, budget, progress)"},
     {"check_surface", check_surface, METH_VARARGS, "check_surface(points, quads) -> dict"},
     {"orient_surface", orient_surface, METH_VARARGS,
      "orient_surface(points, quads) -> (quads, bodies, cavities)"},

@@ -109,10 +109,10 @@ PyObject *relax(PyObject *module, PyObject *arguments) {
   hexcon_relax_options options = {0};
   hexcon_sliding sliding;
   PyObject *given, *callback, *result = NULL;
-  if (!PyArg_ParseTuple(arguments, "OO&O&O&O&OiidO", &given, copy_hexes, &hexes, copy_numbers,
+  if (!PyArg_ParseTuple(arguments, "OO&O&O&O&OiiiidO", &given, copy_hexes, &hexes, copy_numbers,
                         &call.carrier_of_point, copy_numbers, &call.starts, copy_carriers,
-                        &call.pieces, &call.callable, &options.max_rounds, &options.threads,
-                        &options.budget, &callback))
+                        &call.pieces, &call.callable, &options.max_rounds, &options.passes,
+                        &options.mean_passes, &options.threads, &options.budget, &callback))
     return NULL;
   if (copy_points(given, &positions) && describe(&call, positions.count, &sliding) &&
       run_begin(&call.r, callback)) {

@@ -13,10 +13,12 @@ bool guarded_step(newton *n, patch *p, const frame_energy_options *options, doub
   if (newton_step(n, p, options) <= least_decrease)
     return false;
   for (int halving = 0; patch_count_bad(p, &watched) > 0; halving++) {
-    for (size_t i = 0; i < count; i++)
-      p->x[i] = halving < most_halvings ? (p->x[i] + backup[i]) / 2 : backup[i];
-    if (halving == most_halvings)
-      return watched > 0;
+    for (size_t i = 0; i < count && halving < most_halvings; i++)
+      p->x[i] = (p->x[i] + backup[i]) / 2;
+    n->status =
+        halving < most_halvings ? patch_put_on(n->context, p) : newton_go_back(n, p, backup);
+    if (n->status || halving == most_halvings)
+      return !n->status && watched > 0;
   }
   return true;
 }

@@ -15,6 +15,7 @@
 #include "raise_mean.h"
 #include "repair.h"
 #include "sharpen.h"
+#include "sliding_patch.h"
 #include "verify/jacobian_sign.h"
 
 enum {
@@ -35,6 +36,8 @@ typedef enum pass_kind { REPAIR, SHARPEN, RAISE_MEAN } pass_kind;
 typedef struct improvement {
   region_set set;
   hex_groups groups;
+  const sliding_points *sliding; /* NULL: free points move anywhere */
+  const int32_t *point_ids;      /* [point_count] as sliding numbers them */
   double *points;
   double *quality;             /* [hex_count] */
   int32_t *seeds;              /* [hex_count] */
@@ -151,13 +154,17 @@ static hexcon_status improve_region(void *user, hexcon_context *context, int wor
                  set->point_starts[item + 1] - set->point_starts[item], hexes, hex_count,
                  m->slots[worker], &p);
   size_t bytes = 3 * p.free_count * sizeof *p.x;
+  sliding_patch on = {0};
   double *start = status ? NULL : context_allocate(context, p.free_count, 3 * sizeof *start);
   if (!start) {
     patch_free(context, &p);
     return HEXCON_OUT_OF_MEMORY;
   }
   memcpy(start, p.x, bytes);
-  status = m->kind == REPAIR ? repair(context, m, &p) : optimise(context, m, &p);
+  if (m->sliding)
+    status = sliding_patch_new(context, m->sliding, m->point_ids, &p, &on);
+  if (!status)
+    status = m->kind == REPAIR ? repair(context, m, &p) : optimise(context, m, &p);
   write_back(m, &p);
   standing after = summarise(m, hexes, hex_count);
   if (is_better(m, after, before)) {
@@ -167,6 +174,7 @@ static hexcon_status improve_region(void *user, hexcon_context *context, int wor
     write_back(m, &p);
   }
   context_free(context, start);
+  sliding_patch_free(context, &on);
   patch_free(context, &p);
   return status;
 }
@@ -382,11 +390,14 @@ static void improvement_free(hexcon_context *context, improvement *m) {
 
 /** The mesh in its canonical numbering. */
 static hexcon_status improve_ordered(hexcon_context *context, canonical_order *mesh,
+                                     const sliding_points *sliding,
                                      const hexcon_optimize_options *options, size_t *rounds) {
   int most = options->max_rounds > 0 ? options->max_rounds : SHARPENINGS;
   size_t ranges = (mesh->hex_count + MEASURED_AT_ONCE - 1) / MEASURED_AT_ONCE, repairs = 0,
          sharpenings = 0;
   improvement m = {.points = mesh->points,
+                   .sliding = sliding,
+                   .point_ids = mesh->point_ids,
                    .threads = workers_count(options->threads),
                    .target = fmin(options->target > 0 ? options->target : 1, good_enough)};
   hexcon_status status =
@@ -409,19 +420,41 @@ static hexcon_status improve_ordered(hexcon_context *context, canonical_order *m
   return status;
 }
 
-hexcon_status improve_mesh(hexcon_context *context, double *points, size_t point_count,
-                           const int32_t *hexes, size_t hex_count, const uint8_t *fixed,
-                           const hexcon_optimize_options *options, size_t *rounds) {
+/** @param sliding  NULL: free points move anywhere */
+static hexcon_status improve(hexcon_context *context, double *points, size_t point_count,
+                             const int32_t *hexes, size_t hex_count, const uint8_t *fixed,
+                             const sliding_points *sliding, const hexcon_optimize_options *options,
+                             size_t *rounds) {
   const hexcon_optimize_options defaults = {0};
   canonical_order mesh;
   context_reserve(context, hex_count, false);
   hexcon_status status =
       canonical_order_new(context, points, point_count, hexes, hex_count, fixed, &mesh);
   if (!status) {
-    status = improve_ordered(context, &mesh, options ? options : &defaults, rounds);
+    status = improve_ordered(context, &mesh, sliding, options ? options : &defaults, rounds);
     canonical_order_write(&mesh, points); /* the best so far, if cancelled */
   }
   canonical_order_free(context, &mesh);
+  return status;
+}
+
+hexcon_status improve_mesh(hexcon_context *context, double *points, size_t point_count,
+                           const int32_t *hexes, size_t hex_count, const uint8_t *fixed,
+                           const hexcon_optimize_options *options, size_t *rounds) {
+  return improve(context, points, point_count, hexes, hex_count, fixed, NULL, options, rounds);
+}
+
+hexcon_status improve_sliding_mesh(hexcon_context *context, double *points, const int32_t *hexes,
+                                   size_t hex_count, const sliding_points *sliding,
+                                   const hexcon_optimize_options *options) {
+  uint8_t *fixed = context_allocate(context, sliding->point_count, sizeof *fixed);
+  if (!fixed)
+    return HEXCON_OUT_OF_MEMORY;
+  for (size_t v = 0; v < sliding->point_count; v++)
+    fixed[v] = sliding_freedom(sliding, (int32_t)v) == 0 || sliding_is_asked(sliding, (int32_t)v);
+  hexcon_status status = improve(context, points, sliding->point_count, hexes, hex_count, fixed,
+                                 sliding, options, NULL);
+  context_free(context, fixed);
   return status;
 }
 

@@ -33,17 +33,17 @@ double newton_step(newton *n, patch *p, const frame_energy_options *options) {
   for (size_t i = 0; i < count; i++)
     n->gradient[i] = -n->gradient[i];
   n->status = context_after(n->context, count);
-  if (n->spaces) {
-    tangent_spaces_restrict(n->spaces, n->gradient);
-    tangent_spaces_restrict_matrix(n->spaces, &n->hessian);
+  if (p->spaces) {
+    tangent_spaces_restrict(p->spaces, n->gradient);
+    tangent_spaces_restrict_matrix(p->spaces, &n->hessian);
   }
   if (!n->status)
     n->status =
         block_matrix_solve(n->context, &n->hessian, n->gradient, tolerance, most_products, n->step);
   if (n->status)
     return 0;
-  if (n->spaces)
-    tangent_spaces_restrict(n->spaces, n->step);
+  if (p->spaces)
+    tangent_spaces_restrict(p->spaces, n->step);
   double descent = 0, length = 1;
   for (size_t i = 0; i < count; i++)
     descent += n->gradient[i] * n->step[i];
@@ -51,21 +51,29 @@ double newton_step(newton *n, patch *p, const frame_energy_options *options) {
   for (int halving = 0; !n->status && halving < most_halvings; halving++) {
     for (size_t i = 0; i < count; i++)
       n->trial[i] = p->x[i] + length * n->step[i];
-    if (n->spaces)
-      n->status = tangent_spaces_retract(n->context, n->spaces, n->trial);
+    if (p->spaces)
+      n->status = tangent_spaces_retract(n->context, p->spaces, n->trial);
     if (n->status)
       return 0;
     double after = patch_energy(p, n->trial, options, NULL, NULL).energy;
     if (after <= before - enough * length * descent && after < before) {
       memcpy(p->x, n->trial, count * sizeof *n->trial);
-      if (n->spaces)
-        tangent_spaces_accept(n->spaces);
+      if (p->spaces)
+        tangent_spaces_accept(p->spaces);
       return (before - after) / fmax(fabs(before), 1e-300);
     }
     length /= 2;
     n->status = context_after(n->context, count);
   }
   return 0;
+}
+
+hexcon_status newton_go_back(newton *n, patch *p, const double *state) {
+  size_t bytes = 3 * p->free_count * sizeof *state;
+  memcpy(p->x, state, bytes);
+  hexcon_status status = patch_put_on(n->context, p);
+  memcpy(p->x, state, bytes); /* without what rounding has moved */
+  return status;
 }
 
 double newton_descend(newton *n, patch *p, const frame_energy_options *options,

@@ -13,7 +13,6 @@ typedef struct newton {
   block_matrix hessian;
   double *gradient, *step; /**< [3 free_count] */
   double *trial;           /**< [3 point_count] */
-  tangent_spaces *spaces;  /**< where the free points may go, the caller's; NULL: anywhere */
 } newton;
 
 /** @param out free with newton_free, also after an error. Linear in the patch. */
@@ -27,6 +26,10 @@ void newton_free(hexcon_context *context, newton *n);
  * Cost: one second derivative, up to 60 products of it, a few energies.
  */
 double newton_step(newton *n, patch *p, const frame_energy_options *options);
+
+/** The free points at an earlier state, bit for bit, that was on what they slide on.
+ * @param state  [3 free_count] */
+hexcon_status newton_go_back(newton *n, patch *p, const double *state);
 
 /** Steps until the energy falls by less than `smallest_decrease` in one, at most `most`.
  * @return the energy at the end over that at the start */

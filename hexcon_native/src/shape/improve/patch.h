@@ -22,8 +22,9 @@ typedef struct patch {
   double *x;        /**< [point_count][3] */
   double *stretch;  /**< [hex_count][PATCH_EDGES] 1 / target length of each edge */
   double *shares;   /**< [hex_count][8] what the energy of each corner counts; NULL: 1 */
-  uint8_t *watched; /**< [hex_count] how closely the energy looks inside the hex, up to
-                         PATCH_WATCH_MOST: on a grid of 2^watched parts; 0: at the corners only */
+  struct tangent_spaces *spaces; /**< where the free points may go, the caller's; NULL: anywhere */
+  uint8_t *watched;              /**< [hex_count] how closely the energy looks inside the hex, up to
+                                      PATCH_WATCH_MOST: on a grid of 2^watched parts; 0: at the corners only */
 } patch;
 
 /** The corner at which edge 4 axis + m begins; it ends at that plus 1 << axis. */

@@ -60,7 +60,7 @@ hexcon_status raise_mean_patch(hexcon_context *context, newton *n, patch *p, dou
     options.inner_ceiling = fmax(worst.inner_energy * RAISE_MEAN_CLEARANCE, inner_room / floor);
     double now = share_out(p, options.ceiling);
     if (now < before)
-      memcpy(p->x, backup, 3 * p->free_count * sizeof *backup);
+      status = newton_go_back(n, p, backup);
     if (!isfinite(worst.energy + worst.inner_energy) ||
         now < before + least_gain * (double)p->hex_count || !guarded_step(n, p, &options, backup))
       break;

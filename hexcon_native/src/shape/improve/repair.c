@@ -63,7 +63,9 @@ static hexcon_status try_starts(hexcon_context *context, patch *p, repair_states
   for (int attempt = 0; !status && attempt < 2 && *bad > 0; attempt++) {
     size_t now = *bad;
     memcpy(p->x, (attempt == 0) == first_placed ? states->placed : states->given, bytes);
-    status = untangle_watching(context, &n, p, patient, &now);
+    status = patch_put_on(context, p);
+    if (!status)
+      status = untangle_watching(context, &n, p, patient, &now);
     if (now < *bad) {
       *bad = now;
       memcpy(states->best, p->x, bytes);
@@ -103,6 +105,8 @@ hexcon_status repair_patch(hexcon_context *context, patch *p, const uint8_t *hea
   }
   if (!status)
     status = reference_placement(context, p);
+  if (!status)
+    status = patch_put_on(context, p);
   if (!status && !try_placement(p, &states, bad))
     status = try_starts(context, p, &states, patient, bad);
   context_free(context, states.given);

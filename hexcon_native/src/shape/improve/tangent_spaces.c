@@ -75,3 +75,12 @@ hexcon_status tangent_spaces_retract(hexcon_context *context, tangent_spaces *sp
 void tangent_spaces_accept(tangent_spaces *spaces) {
   memcpy(spaces->directions, spaces->trial, 3 * spaces->count * sizeof *spaces->directions);
 }
+
+hexcon_status patch_put_on(hexcon_context *context, patch *p) {
+  if (!p->spaces)
+    return HEXCON_OK;
+  hexcon_status status = tangent_spaces_retract(context, p->spaces, p->x);
+  if (!status)
+    tangent_spaces_accept(p->spaces);
+  return status;
+}

@@ -25,6 +25,10 @@ typedef struct tangent_spaces {
 hexcon_status tangent_spaces_new(hexcon_context *context, size_t count, tangent_spaces *out);
 void tangent_spaces_free(hexcon_context *context, tangent_spaces *spaces);
 
+/** Put a patch's points onto what they slide on, and take the directions there; nothing where they
+ * do not slide. */
+hexcon_status patch_put_on(hexcon_context *context, patch *p);
+
 /** Take every point's part of a vector [count][3] that lies in its space. */
 void tangent_spaces_restrict(const tangent_spaces *spaces, double *vector);
 

@@ -7,8 +7,9 @@
 #include "hexmesh/hex_tables.h"
 #include "hexmesh/scaled_jacobian.h"
 #include "shape/improve/canonical_order.h"
+#include "shape/improve/improve.h"
 #include "shape/improve/newton.h"
-#include "shape/slide/sliding_points.h"
+#include "shape/improve/sliding_patch.h"
 
 /** What a state is judged by, in this order. */
 typedef struct standing {
@@ -22,26 +23,12 @@ typedef struct relaxation {
   const canonical_order *mesh;
   patch p; /* all hexes; its free points are those that move */
   newton n;
-  tangent_spaces spaces;
-  int32_t *ids;   /* [free_count] of the free points, the caller's */
+  sliding_patch on;
   double *best;   /* [3 free_count] */
   double *shares; /* [8 hex_count] of p, while it has any */
   standing reached;
   int rounds;
 } relaxation;
-
-static hexcon_status retract(void *user, hexcon_context *context, double *x, double *directions) {
-  const relaxation *r = user;
-  return sliding_points_project(context, r->sliding, r->ids, r->p.free_count, x, directions);
-}
-
-/** Points as they are, with the spaces that belong to them. */
-static hexcon_status retract_all(hexcon_context *context, relaxation *r) {
-  hexcon_status status = tangent_spaces_retract(context, &r->spaces, r->p.x);
-  if (!status)
-    tangent_spaces_accept(&r->spaces);
-  return status;
-}
 
 static bool is_better(standing a, standing b) {
   return a.inverted != b.inverted ? a.inverted < b.inverted : a.worst > b.worst;
@@ -117,7 +104,7 @@ static hexcon_status square(hexcon_context *context, relaxation *r) {
   const double still = 5e-4;
   hexcon_status status = HEXCON_OK;
   memcpy(r->p.x, r->best, 3 * r->p.free_count * sizeof *r->best);
-  status = retract_all(context, r);
+  status = patch_put_on(context, &r->p);
   r->p.shares = r->shares;
   for (int round = 0; !status && round < rounds; round++) {
     const frame_energy_options options = {0};
@@ -161,25 +148,10 @@ static hexcon_status copy_mesh(hexcon_context *context, relaxation *r) {
   return status;
 }
 
-static hexcon_status set_spaces(hexcon_context *context, relaxation *r) {
-  size_t count = r->p.free_count;
-  hexcon_status status = tangent_spaces_new(context, count, &r->spaces);
-  r->ids = context_allocate(context, count, sizeof *r->ids);
-  if (status || !r->ids)
-    return HEXCON_OUT_OF_MEMORY;
-  for (size_t i = 0; i < count; i++) {
-    r->ids[i] = r->mesh->point_ids[r->p.points[i]];
-    r->spaces.freedom[i] = sliding_freedom(r->sliding, r->ids[i]);
-  }
-  r->spaces.retract = retract;
-  r->spaces.user = r;
-  return retract_all(context, r);
-}
-
 static hexcon_status begin(hexcon_context *context, relaxation *r) {
   hexcon_status status = copy_mesh(context, r);
   if (!status)
-    status = set_spaces(context, r);
+    status = sliding_patch_new(context, r->sliding, r->mesh->point_ids, &r->p, &r->on);
   if (!status)
     status = newton_new(context, &r->p, &r->n);
   if (status)
@@ -188,7 +160,6 @@ static hexcon_status begin(hexcon_context *context, relaxation *r) {
   r->best = context_allocate(context, r->p.free_count, 3 * sizeof *r->best);
   if (!r->shares || !r->best)
     return HEXCON_OUT_OF_MEMORY;
-  r->n.spaces = &r->spaces;
   memcpy(r->best, r->p.x, 3 * r->p.free_count * sizeof *r->best);
   r->reached = judge(r);
   return HEXCON_OK;
@@ -196,9 +167,8 @@ static hexcon_status begin(hexcon_context *context, relaxation *r) {
 
 static void relaxation_free(hexcon_context *context, relaxation *r) {
   newton_free(context, &r->n);
-  tangent_spaces_free(context, &r->spaces);
+  sliding_patch_free(context, &r->on);
   patch_free(context, &r->p);
-  context_free(context, r->ids);
   context_free(context, r->best);
   context_free(context, r->shares);
 }
@@ -209,13 +179,25 @@ static void write_best(const relaxation *r, canonical_order *mesh) {
     memcpy(mesh->points + 3 * (size_t)r->p.points[i], r->best + 3 * i, 3 * sizeof *r->best);
 }
 
+static hexcon_status improve_relaxed(hexcon_context *context, const sliding_points *sliding,
+                                     const int32_t *hexes, size_t hex_count,
+                                     const hexcon_relax_options *options, double *positions) {
+  const hexcon_optimize_options passes = {.max_rounds = options->passes,
+                                          .mean_passes = options->mean_passes,
+                                          .threads = options->threads};
+  return improve_sliding_mesh(context, positions, hexes, hex_count, sliding, &passes);
+}
+
 /** @param positions  on their carriers; receives the best, also where it is cancelled */
 static hexcon_status relax_placed(hexcon_context *context, const sliding_points *sliding,
-                                  const int32_t *hexes, size_t hex_count, int rounds,
-                                  double *positions) {
+                                  const int32_t *hexes, size_t hex_count,
+                                  const hexcon_relax_options *options, double *positions) {
+  const int default_rounds = 16;
   size_t point_count = sliding->point_count;
   canonical_order mesh = {0};
-  relaxation r = {.sliding = sliding, .mesh = &mesh, .rounds = rounds};
+  relaxation r = {.sliding = sliding,
+                  .mesh = &mesh,
+                  .rounds = options->max_rounds > 0 ? options->max_rounds : default_rounds};
   uint8_t *fixed = context_allocate(context, point_count, sizeof *fixed);
   hexcon_status status = fixed ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
   for (size_t v = 0; !status && v < point_count; v++)
@@ -234,23 +216,29 @@ static hexcon_status relax_placed(hexcon_context *context, const sliding_points 
     write_best(&r, &mesh);
     canonical_order_write(&mesh, positions);
   }
+  context_tell_mesh(context, 0, 0, NAN);
+  relaxation_free(context, &r);
+  canonical_order_free(context, &mesh);
+  if (!status && options->passes > 0)
+    status = improve_relaxed(context, sliding, hexes, hex_count, options, positions);
   if (begun && status == HEXCON_OUT_OF_TIME) {
     context_clear(context);
     status = HEXCON_OK;
   }
-  context_tell_mesh(context, 0, 0, NAN);
-  relaxation_free(context, &r);
-  canonical_order_free(context, &mesh);
   return status;
 }
 
 static hexcon_status check_relax(hexcon_context *context, const double *points, size_t point_count,
                                  const int32_t *hexes, size_t hex_count,
                                  const hexcon_relax_options *options) {
-  if (options && !(options->max_rounds >= 0 && options->threads >= 0 && options->budget >= 0))
-    return context_fail(context, HEXCON_BAD_ARGUMENT,
-                        "relax: rounds %d, threads %d and budget %g must not be negative",
-                        options->max_rounds, options->threads, options->budget);
+  if (options && !(options->max_rounds >= 0 && options->passes >= 0 && options->mean_passes >= 0 &&
+                   options->threads >= 0 && options->budget >= 0))
+    return context_fail(
+        context, HEXCON_BAD_ARGUMENT,
+        "relax: rounds %d, passes %d, mean passes %d, threads %d and budget %g must "
+        "not be negative",
+        options->max_rounds, options->passes, options->mean_passes, options->threads,
+        options->budget);
   hexcon_status status = check_hex_arrays(context, points, point_count, hexes, hex_count);
   return status ? status : check_hex_corners(context, hexes, hex_count);
 }
@@ -258,7 +246,6 @@ static hexcon_status check_relax(hexcon_context *context, const double *points, 
 hexcon_status hexcon_relax(hexcon_context *context, const double *points, size_t point_count,
                            const int32_t *hexes, size_t hex_count, const hexcon_sliding *sliding,
                            const hexcon_relax_options *options, double *positions) {
-  const int default_rounds = 16;
   hexcon_relax_options chosen = options ? *options : (hexcon_relax_options){0};
   context_clear(context);
   sliding_points s = {0};
@@ -271,8 +258,7 @@ hexcon_status hexcon_relax(hexcon_context *context, const double *points, size_t
     status = sliding_points_project(context, &s, NULL, point_count, positions, NULL);
   }
   if (!status)
-    status = relax_placed(context, &s, hexes, hex_count,
-                          chosen.max_rounds > 0 ? chosen.max_rounds : default_rounds, positions);
+    status = relax_placed(context, &s, hexes, hex_count, &chosen, positions);
   context_limit(context, 0, 0);
   sliding_points_free(context, &s);
   return status;

@@ -105,6 +105,15 @@ uint8_t sliding_freedom(const sliding_points *points, int32_t point) {
   return (uint8_t)hexcon_carrier_info(points->pieces[points->starts[carrier]].kind)->freedom;
 }
 
+bool sliding_is_asked(const sliding_points *points, int32_t point) {
+  int32_t carrier = points->carrier_of_point[point];
+  bool asked = false;
+  for (int32_t i = carrier < 0 ? 0 : points->starts[carrier];
+       carrier >= 0 && i < points->starts[carrier + 1]; i++)
+    asked = asked || !carrier_is_closed(points->pieces[i].kind);
+  return asked;
+}
+
 /** A place on a carrier; where nothing was found yet the distance is infinite. */
 typedef struct landing {
   double nearest[3], direction[3], distance;

@@ -24,6 +24,9 @@ void sliding_points_free(hexcon_context *context, sliding_points *points);
 /** In how many directions a point moves: 0 to 3. */
 uint8_t sliding_freedom(const sliding_points *points, int32_t point);
 
+/** Whether hexcon_project is asked where a point is to be. */
+bool sliding_is_asked(const sliding_points *points, int32_t point);
+
 /**
  * Put points onto what they lie on: the nearest place on the nearest piece of their carrier. Those
  * without one stay as they are.
