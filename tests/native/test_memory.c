@@ -177,8 +177,9 @@ static hexcon_status call_relax(hexcon_context *context, material *m) {
                                                 : HEXCON_STAYS;
   }
   const hexcon_sliding sliding = {carriers, 2, starts, pieces, project_to_plane, NULL};
+  const hexcon_relax_options options = {.passes = 1, .mean_passes = 1, .threads = 1};
   hexcon_status status = hexcon_relax(context, box->points, box->point_count, box->hexes,
-                                      box->hex_count, &sliding, NULL, m->positions);
+                                      box->hex_count, &sliding, &options, m->positions);
   for (size_t v = 0; v < box->surface_point_count; v++)
     assert_true(status == HEXCON_OUT_OF_MEMORY || carriers[v] < 0 ||
                 m->positions[3 * v + (carriers[v] == 0 ? 0 : 2)] == 0);

@@ -416,7 +416,8 @@ static void never_worse(void **state) {
     for (size_t v = 0; v < b.mesh.point_count; v++)
       if (random_below(&random, 6) == 0)
         b.of_point[v] = HEXCON_STAYS;
-    const hexcon_relax_options options = {.max_rounds = round % 5, .threads = round % 3};
+    const hexcon_relax_options options = {
+        .max_rounds = round % 5, .passes = round % 4, .threads = round % 3};
     double *start = put_on(&b), *relaxed = relax(&b, &options);
     standing before = measure(&b, start), after = measure(&b, relaxed);
     assert_true(after.inverted <= before.inverted);
@@ -482,8 +483,9 @@ static void numbering_does_not_matter(void **state) {
     for (size_t c = 0; c < 8; c++)
       other.mesh.hexes[8 * (b.mesh.hex_count - 1 - h) + c] =
           to[b.mesh.hexes[8 * h + (size_t)turned[c]]];
-  const hexcon_relax_options options = {.threads = 2};
-  double *relaxed = relax(&b, NULL), *again = relax(&other, &options);
+  const hexcon_relax_options one = {.passes = 2, .mean_passes = 1, .threads = 1},
+                             two = {.passes = 2, .mean_passes = 1, .threads = 2};
+  double *relaxed = relax(&b, &one), *again = relax(&other, &two);
   for (size_t v = 0; v < count; v++)
     assert_memory_equal(relaxed + 3 * v, again + 3 * to[v], 3 * sizeof *relaxed);
   free(relaxed);
@@ -589,8 +591,8 @@ static void faults(void **state) {
   (void)state;
   hexcon_context *context = hexcon_context_new();
   body b = make_body(2, cube_map, cube_carrier);
-  const hexcon_relax_options wrong[] = {
-      {.max_rounds = -1}, {.threads = -1}, {.budget = -1}, {.budget = NAN}};
+  const hexcon_relax_options wrong[] = {{.max_rounds = -1}, {.passes = -1}, {.mean_passes = -1},
+                                        {.threads = -1},    {.budget = -1}, {.budget = NAN}};
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
     assert_int_equal(try_relax(context, &b, &wrong[i]), HEXCON_BAD_ARGUMENT);
     assert_elements(context, NULL, 0);

@@ -114,6 +114,22 @@ def test_numbering_and_threads_do_not_matter():
     assert (again[new] == relaxed).all()
 
 
+def test_passes_that_slide_raise_the_worst():
+    """A column with a cap that bulges: the sides, and with them the corners' hexes, are better where they may slide."""
+    points, hexes, carrier_of_point, carriers = body("cube", 4)
+    top = next(k for k, one in enumerate(carriers) if one.kind == "plane" and tuple(one.origin) == (0.5, 0.5, 1))
+    carriers[top] = hn.Carrier("sphere", (0.5, 0.5, 0.5), sizes=(np.sqrt(0.75),))
+    edges = [k for k, one in enumerate(carriers) if one.kind == "line" and one.origin[2] == 1]
+    for k in edges:  # where the ball meets the sides
+        middle, along = np.array(carriers[k].origin), np.array(carriers[k].axis, bool)
+        carriers[k] = hn.Carrier("circle", (*middle[:2], 0.5), tuple(~along * [1.0, 1.0, 0.0]), sizes=(np.sqrt(0.5),))
+    relaxed = hn.relax(points, hexes, carrier_of_point, carriers)
+    held = hn.optimize(relaxed, hexes)
+    slid = hn.relax(points, hexes, carrier_of_point, carriers, passes=9)
+    assert farthest(slid, carrier_of_point, carriers) < 1e-13
+    assert hn.quality(slid, hexes).min > hn.quality(held, hexes).min + 0.01
+
+
 def test_cancelled_keeps_the_best():
     points, hexes, carrier_of_point, carriers = body("bend", 4)
     start = scrambled(points, hexes, 0.8, 5)
@@ -142,7 +158,7 @@ def test_faults():
         assert fault(on=[*carriers[:3], wrong, *carriers[4:]])[0] == Code.BAD_ARGUMENT, wrong
     asked, lying = [*carriers, hn.Carrier("curve")], carrier_of_point.copy()
     lying[0] = len(carriers)
-    for name, value in {"rounds": -1, "threads": 0.5, "budget": -1, "project": 3}.items():
+    for name, value in {"rounds": -1, "passes": -1, "mean_passes": 0.5, "threads": 0.5, "budget": -1, "project": 3}.items():
         assert fault(**{name: value})[0] == Code.BAD_ARGUMENT
     assert fault(of_point=lying, on=asked, project=lambda p, t: None)[0] == Code.BAD_ARGUMENT
     assert fault(of_point=lying, on=asked, project=lambda p, t: (p, 0 * p))[0] == Code.BAD_ARGUMENT
