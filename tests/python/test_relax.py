@@ -158,7 +158,8 @@ def test_faults():
         assert fault(on=[*carriers[:3], wrong, *carriers[4:]])[0] == Code.BAD_ARGUMENT, wrong
     asked, lying = [*carriers, hn.Carrier("curve")], carrier_of_point.copy()
     lying[0] = len(carriers)
-    for name, value in {"rounds": -1, "passes": -1, "mean_passes": 0.5, "threads": 0.5, "budget": -1, "project": 3}.items():
+    for name, value in {"rounds": -1, "passes": -1, "mean_passes": 0.5, "threads": 0.5, "budget": -1,
+                        "project": 3}.items():
         assert fault(**{name: value})[0] == Code.BAD_ARGUMENT
     assert fault(of_point=lying, on=asked, project=lambda p, t: None)[0] == Code.BAD_ARGUMENT
     assert fault(of_point=lying, on=asked, project=lambda p, t: (p, 0 * p))[0] == Code.BAD_ARGUMENT

@@ -28,7 +28,9 @@ MOST_CELLS = 3_000_000      # of a grid: what fits into a gigabyte
 GOOD = 0.2              # least scaled Jacobian with which nothing else is tried,
 ENOUGH = 0.3            # and above which what counts is the mean
 MOST_REFINED = 200_000      # and of one whose cells are split
-FINISHED = -0.002           # least scaled Jacobian from which the inside can still be untangled with the boundary held
+FINE = 0.95                 # least scaled Jacobian of first places that are taken as they are
+MOST_FOLDED = 0.02          # part of the hexes: with more left folded, passes over them are lost time
+PASSES, MEAN_PASSES = 9, 4  # of hexcon_native.relax
 
 
 @dataclass
@@ -95,8 +97,7 @@ def _filled(mesh, features, h, inside, work, report):
     work.hexes += len(mesh.hexes)
     report("slide", 0.0)
     sliding = Sliding(mesh, features)
-    points = sliding.relax(placed(mesh, features, sliding), threads=1)
-    points = _finished(mesh, points)
+    points = _in_place(mesh, features, sliding)
     faces = _faces_of_quads(mesh, points, features)
     return Overlay(mesh, features, points, faces, hn.quality(points, mesh.hexes),
                    hn.certify(points, mesh.hexes, mesh.quads),
@@ -155,13 +156,14 @@ def _grid(features, frame, h, levels):
     return points @ frame, hexes
 
 
-def _finished(mesh, points):
-    """Points with the inside improved, the boundary held."""
-    if hn.quality(points, mesh.hexes).min < FINISHED:
+def _in_place(mesh, features, sliding):
+    """(P,3) all points relaxed and improved, while those of the boundary slide; first places that are good enough are
+    taken as they are: blocky parts stay on the grid."""
+    start = placed(mesh, features, sliding)
+    if hn.quality(start, mesh.hexes).min >= FINE:
+        return start
+    points = sliding.relax(start, threads=1)
+    folded = np.count_nonzero(hn.quality(points, mesh.hexes).scaled_jacobian <= 0.0)
+    if folded > MOST_FOLDED * len(mesh.hexes):
         return points
-    fixed = np.zeros(len(points), bool)
-    fixed[mesh.quads] = True
-    try:
-        return hn.optimize(points, mesh.hexes, fixed, mean_passes=4, threads=1)
-    except hn.HexconError:
-        return points
+    return sliding.relax(points, passes=PASSES, mean_passes=MEAN_PASSES, threads=1)
