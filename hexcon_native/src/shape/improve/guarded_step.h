@@ -5,9 +5,6 @@
 
 #include "newton.h"
 
-/** Shorter edges count as this part of the longest of their hex: lest they vanish. */
-#define GUARDED_SMALLEST_EDGE 0.01
-
 /**
  * One step from a valid patch, cut short where a hex comes out not positive inside; that hex is
  * watched from then on.

@@ -46,7 +46,10 @@ hexcon_status patch_copy(hexcon_context *context, const int32_t *hexes, const do
   for (size_t i = 0; i < free_count; i++)
     slots[free_points[i]] = (int32_t)i;
   size_t most = free_count + count_others(hexes, hex_ids, hex_count, slots);
-  *out = (patch){.free_count = free_count, .point_count = free_count, .hex_count = hex_count};
+  *out = (patch){.free_count = free_count,
+                 .point_count = free_count,
+                 .hex_count = hex_count,
+                 .smallest_edge = PATCH_SMALLEST_EDGE};
   out->points = context_allocate(context, most, sizeof *out->points);
   out->hexes = context_allocate(context, hex_count, sizeof *out->hexes);
   out->corners = context_allocate(context, hex_count, 8 * sizeof *out->corners);

@@ -16,16 +16,21 @@ typedef struct patch {
   size_t free_count;  /**< points 0 .. free_count - 1 move */
   size_t point_count; /**< the others stay */
   size_t hex_count;
-  int32_t *points;  /**< [point_count] ids in the mesh */
-  int32_t *hexes;   /**< [hex_count] ids in the mesh */
-  int32_t *corners; /**< [hex_count][8] points of the patch */
-  double *x;        /**< [point_count][3] */
-  double *stretch;  /**< [hex_count][PATCH_EDGES] 1 / target length of each edge */
-  double *shares;   /**< [hex_count][8] what the energy of each corner counts; NULL: 1 */
+  int32_t *points;      /**< [point_count] ids in the mesh */
+  int32_t *hexes;       /**< [hex_count] ids in the mesh */
+  int32_t *corners;     /**< [hex_count][8] points of the patch */
+  double *x;            /**< [point_count][3] */
+  double *stretch;      /**< [hex_count][PATCH_EDGES] 1 / target length of each edge */
+  double *shares;       /**< [hex_count][8] what the energy of each corner counts; NULL: 1 */
+  double smallest_edge; /**< guarded steps take no edge for shorter than this part of the longest
+                             of its hex: scaled Jacobians do not see thin hexes */
   struct tangent_spaces *spaces; /**< where the free points may go, the caller's; NULL: anywhere */
   uint8_t *watched;              /**< [hex_count] how closely the energy looks inside the hex, up to
                                       PATCH_WATCH_MOST: on a grid of 2^watched parts; 0: at the corners only */
 } patch;
+
+/** smallest_edge at first: lest edges vanish. */
+#define PATCH_SMALLEST_EDGE 0.01
 
 /** The corner at which edge 4 axis + m begins; it ends at that plus 1 << axis. */
 static inline int patch_edge_start(int edge) {

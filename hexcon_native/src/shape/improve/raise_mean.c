@@ -50,10 +50,10 @@ hexcon_status raise_mean_patch(hexcon_context *context, newton *n, patch *p, dou
   double *backup = context_allocate(context, p->free_count, 3 * sizeof *backup), before = 0;
   p->shares = context_allocate(context, p->hex_count, 8 * sizeof *p->shares);
   hexcon_status status = backup && p->shares ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
-  patch_target_own_lengths(p, GUARDED_SMALLEST_EDGE);
+  patch_target_own_lengths(p, p->smallest_edge);
   patch_watch_thin(p);
   for (int step = 0; !status && step < most_steps; step++) {
-    patch_target_own_lengths(p, GUARDED_SMALLEST_EDGE);
+    patch_target_own_lengths(p, p->smallest_edge);
     patch_state worst = patch_worst_frame(p, p->x, &options);
     if (step == 0)
       options.ceiling = fmax(worst.energy * RAISE_MEAN_CLEARANCE, 1 / floor);

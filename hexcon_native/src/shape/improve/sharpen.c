@@ -12,11 +12,11 @@ hexcon_status sharpen_patch(hexcon_context *context, newton *n, patch *p, double
   double best = INFINITY, *backup = context_allocate(context, p->free_count, 3 * sizeof *backup);
   hexcon_status status = backup ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
   int idle = 0;
-  patch_target_own_lengths(p, GUARDED_SMALLEST_EDGE);
+  patch_target_own_lengths(p, p->smallest_edge);
   patch_watch_thin(p);
   for (int step = 0; !status && step < most_steps && idle <= most_idle; step++) {
     frame_energy_options options = {0};
-    patch_target_own_lengths(p, GUARDED_SMALLEST_EDGE);
+    patch_target_own_lengths(p, p->smallest_edge);
     double worst = patch_guarded_worst(p);
     idle = worst > best * (1 - worth * distance) ? idle + 1 : 0;
     best = fmin(best, worst);

@@ -3,6 +3,9 @@
 
 #include <string.h>
 
+/** Where the boundary gives way, hexes would become as thin as they may. */
+static const double smallest_edge = 0.2;
+
 static hexcon_status retract(void *user, hexcon_context *context, double *x, double *directions) {
   const sliding_patch *s = user;
   return sliding_points_project(context, s->sliding, s->ids, s->spaces.count, x, directions);
@@ -22,6 +25,7 @@ hexcon_status sliding_patch_new(hexcon_context *context, const sliding_points *s
   out->spaces.retract = retract;
   out->spaces.user = out;
   p->spaces = &out->spaces;
+  p->smallest_edge = smallest_edge;
   return patch_put_on(context, p);
 }
 
