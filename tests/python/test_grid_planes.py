@@ -104,6 +104,7 @@ def test_faults_are_told():
     assert not good.faults
     assert ["volume" in f for f in Kept(-0.2, 0.0, 0.1, 3, []).faults] == [True]
     assert "curve 3" in Kept(0.0, 0.0, 2.0, 3, []).faults[0]
+    assert "short" in Kept(0.0, 0.0, 0.1, 3, [], 1e-3).faults[0]
     assert len(Kept(float("nan"), 0.5, 0.1, 3, []).faults) == 2
 
 

@@ -12,19 +12,20 @@ from .tessellation import on_segments
 
 MOST_VOLUME = 0.05      # part by which volume and area may differ from the CAD's: chords cut round faces
 MOST_CHORD = 0.6        # of the size: how far a CAD edge may be from the mesh's edges
-TOLD_CHORD = 0.25       # and from which on it is told
+LEAST_EDGE = 1 / 200    # of the size: the mesh's shortest edge; other methods take CAD edges as short for points
 
 
 @dataclass(frozen=True)
 class Kept:
     """volume, area: relative to the CAD's, less 1; chord: greatest distance of a curve from its mesh edges, in sizes;
-    curve: which; lost: CAD faces that own no quad."""
+    curve: which; lost: CAD faces that own no quad; shortest: edge of a quad, in sizes."""
 
     volume: float
     area: float
     chord: float
     curve: int
     lost: list
+    shortest: float = 1.0
 
     @property
     def faults(self):
@@ -34,6 +35,8 @@ class Kept:
                  if not abs(value) <= MOST_VOLUME]
         if not self.chord <= MOST_CHORD:
             found.append(f"curve {self.curve} is cut by {self.chord:.2f} sizes")
+        if not self.shortest >= LEAST_EDGE:
+            found.append(f"an edge is {self.shortest:.2g} sizes short")
         return found
 
 
@@ -52,7 +55,8 @@ def kept(points, mesh, faces, features, chains, h):
     cuts = [_chord(curve, points[chain]) / h for curve, chain in zip(features.curves, chains)]
     worst = int(np.argmax(cuts)) if cuts else -1
     return Kept(volume / cad.volume - 1.0, area / sum(cad.solid.area(f) for f in cad.solid.faces) - 1.0,
-                float(cuts[worst]) if cuts else 0.0, worst, sorted(set(cad.solid.faces) - set(faces.tolist())))
+                float(cuts[worst]) if cuts else 0.0, worst, sorted(set(cad.solid.faces) - set(faces.tolist())),
+                float(np.linalg.norm(quads - np.roll(quads, -1, axis=1), axis=2).min() / h))
 
 
 def _chord(curve, line):
