@@ -226,7 +226,8 @@ static void fronts_are_closed(void **state) {
 static void filling(test_mesh m, size_t hexes, double worst) {
   hexcon_context *context = hexcon_context_new();
   hexcon_mesh *mesh = NULL;
-  const hexcon_mesh_options options = {.method = HEXCON_METHOD_DICED, .threads = 1};
+  const hexcon_mesh_options options = {
+      .method = HEXCON_METHOD_DICED, .pillow = HEXCON_PILLOW_NEVER, .threads = 1};
   hexcon_status status = hexcon_mesh_surface(context, m.points, m.surface_point_count, m.quads,
                                              m.quad_count, &options, &mesh);
   if (status)

@@ -193,7 +193,8 @@ static void shuffle(test_mesh *mesh, uint64_t random) {
 
 static void mesh_smallest_of(test_mesh *surface_mesh, size_t hex_count) {
   hexcon_context *context = hexcon_context_new();
-  const hexcon_mesh_options options = {.method = HEXCON_METHOD_SMALLEST, .threads = 1};
+  const hexcon_mesh_options options = {
+      .method = HEXCON_METHOD_SMALLEST, .pillow = HEXCON_PILLOW_NEVER, .threads = 1};
   hexcon_mesh *mesh = NULL;
   if (hexcon_mesh_surface(context, surface_mesh->points, surface_mesh->point_count,
                           surface_mesh->quads, surface_mesh->quad_count, &options, &mesh))
@@ -248,7 +249,8 @@ static void a_core_is_filled(void **state) {
 /** Its sides are flat: only some of the class's symmetries put no two of their quads on one hex. */
 static void flat_sides_choose_the_symmetry(void **state) {
   (void)state;
-  const hexcon_mesh_options options = {.method = HEXCON_METHOD_SMALLEST, .threads = 1};
+  const hexcon_mesh_options options = {
+      .method = HEXCON_METHOD_SMALLEST, .pillow = HEXCON_PILLOW_NEVER, .threads = 1};
   test_mesh pyramid = make_schneiders_pyramid();
   hexcon_context *context = hexcon_context_new();
   hexcon_mesh *made = NULL;
