@@ -134,10 +134,10 @@ def test_help_and_refusals_name_every_format(tmp_path):
 
 
 def test_help_tells_the_exit_status():
-    for command in ("mesh", "check", "info", "example", "solve"):
+    for command in ("mesh", "check", "repair", "smooth", "info", "example", "solve"):
         done = hexcon(command, "--help")
         assert done.returncode == 0
-        assert "3 check: not certified" in " ".join(done.stdout.split())
+        assert "3 check, repair, smooth: not certified" in " ".join(done.stdout.split())
 
 
 FAULTS = {

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command line: hexcon mesh | check | smooth | info | example | solve.
+"""The command line: hexcon mesh | check | repair | smooth | info | example | solve.
 
-Exit status: 0 done; 1 a fault (its words on standard error); 2 wrong usage; 3 the mesh that `check` or `smooth`
-tells of is not certified; 129, 130, 143 ended by SIGHUP, SIGINT, SIGTERM; 141 nobody read the answer to its end.
+Exit status: 0 done; 1 a fault (its words on standard error); 2 wrong usage; 3 the mesh that `check`, `repair` or
+`smooth` tells of is not certified; 129, 130, 143 ended by SIGHUP, SIGINT, SIGTERM; 141 nobody read the answer to its end.
 """
 import json
 

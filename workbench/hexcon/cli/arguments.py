@@ -27,7 +27,7 @@ def methods_help(table):
     return "; ".join(f"{name}: {row.purpose}" for name, row in table.items()).replace("%", "%%")
 
 
-_EXIT = ("exit status: 0 done; 1 a fault, its words on standard error; 2 wrong usage; 3 check, smooth: not "
+_EXIT = ("exit status: 0 done; 1 a fault, its words on standard error; 2 wrong usage; 3 check, repair, smooth: not "
          "certified; 129, 130, 143 ended by SIGHUP, SIGINT, SIGTERM: no file is half written; 141 nobody read the "
          "answer to its end")
 
