@@ -13,7 +13,8 @@ from .too_small import too_small
 
 THIN = 0.45             # smaller parts of the size are tried only where nothing else came out
 BUDGET, TIMES = 20_000, 4.0     # hexes looked at in all tries, or so many times those of the first
-SHARE, MOST = 0.4, 0.5  # of the time limit, in processor time: no try is begun then, and the last one is ended
+# Of the time limit, in processor time: no try is begun then; nor, where there is a mesh, then; the last one is ended.
+SHARE, SHARE_OF_BETTER, MOST = 0.4, 0.2, 0.5
 
 
 @dataclass(frozen=True)
@@ -49,7 +50,7 @@ def grid_surface(solid, size, link, timeout):
     cad, work, faults, best, limit = Cad(solid, size), Work(), [], None, BUDGET
     known = {}
     for number, one in enumerate(TRIES):
-        late = time.process_time() - begun > SHARE * timeout
+        late = time.process_time() - begun > (SHARE if best is None else SHARE_OF_BETTER) * timeout
         if late or work.hexes > limit or (best is not None and one.factor < THIN):
             break
         features = _features(cad, one, size, known)
