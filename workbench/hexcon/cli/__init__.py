@@ -2,7 +2,8 @@
 """The command line: hexcon mesh | check | repair | smooth | info | example | solve.
 
 Exit status: 0 done; 1 a fault (its words on standard error); 2 wrong usage; 3 the mesh that `check`, `repair` or
-`smooth` tells of is not certified; 129, 130, 143 ended by SIGHUP, SIGINT, SIGTERM; 141 nobody read the answer to its end.
+`smooth` tells of is not certified; 129, 130, 143 ended by SIGHUP, SIGINT, SIGTERM; 141 nobody read the answer to its
+end.
 """
 import json
 
@@ -26,7 +27,8 @@ def main(arguments=None):
     """Run one command; returns the exit status. Raises KeyboardInterrupt."""
     options = parse(arguments)
     try:
-        paths = [options.input, *filter(None, [getattr(options, "solid", None)]), *(getattr(options, "output", None) or [])]
+        solid, outputs = getattr(options, "solid", None), getattr(options, "output", None)
+        paths = [options.input, *([solid] if solid else []), *(outputs or [])]
         if in_freecad.needs_freecad(paths) and not in_freecad.can_import_freecad():
             status = in_freecad.rerun(arguments)
             if status is not None:

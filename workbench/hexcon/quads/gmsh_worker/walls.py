@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Thin walls and gaps behind curved faces: how large a triangle may be before it cuts through to the other side.
 
-A triangle of edges h on a face of radius R leaves it by h^2 / 6R in its middle (three points on a sphere). Where another
-face is nearer than that, both meshes may cross.
+A triangle of edges h on a face of radius R leaves it by h^2 / 6R in its middle (three points on a sphere). Where
+another face is nearer than that, both meshes may cross.
 """
 import gmsh
 import numpy as np
