@@ -6,8 +6,8 @@
 FOLDER holds hex meshes that HexCon reads; without it there are six made by formula (scrambled.py). Inner points are
 moved by up to so many times the mean length of their edges (--amounts). Who then optimises: hn.optimize, with two
 passes for the mean; gmsh's Relocate3D, of the package; and innerSmoother of github.com/fprotais/hexsmoothing, where
---smoother names its program (innerSmoother IN.mesh OUT.mesh). Each in one thread; the processor seconds of programs contain their
-files. Boundary points are put back to the bits they had, and all results are judged by hn.certify.
+--smoother names its program (innerSmoother IN.mesh OUT.mesh). Each in one thread; the processor seconds of programs
+contain their files. Boundary points are put back to the bits they had, and all results are judged by hn.certify.
 
 One line a mesh: hexes, hexes inverted by the scattering; then for each certified or the hexes that are not positive,
 least and mean scaled Jacobian, seconds. Then their medians.
