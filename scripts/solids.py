@@ -2,7 +2,8 @@
 """CAD files of a folder from solid to certificate: which are certified, how good, and why the others are not.
 
     PYTHONPATH=.:workbench python3 scripts/solids.py FOLDER [--surface-method auto] [--method auto] [--quads 700]
-                                                   [--limit 60] [--result output/solids.jsonl] [--match PART_OF_NAME]
+                                                   [--limit 200] [--timeout 120] [--result output/solids.jsonl]
+                                                   [--match PART_OF_NAME]
 
 The size of each is sqrt(area / quads). Every file is meshed in a process of its own, with a limit of processor time.
 What is called certified is judged once more by tests/python/mesh_checker.py, which shares no code with the core. A line
@@ -28,7 +29,7 @@ def measured(path, options):
         size = options.size or (_area(path) / options.quads) ** 0.5
         found["size"] = size
         mesh = hexcon.mesh_solid(path, size, surface_method=options.surface_method, method=options.method, threads=1,
-                                 timeout=8.0 * options.limit)
+                                 timeout=options.timeout)
     except hexcon.HexconError as error:
         return found | {"code": error.code.name, "message": str(error)[:2000]}
     return found | _judged(mesh)
@@ -66,7 +67,8 @@ def _judged(mesh):
 
 def in_its_own_process(path, options):
     command = [sys.executable, __file__, path, "--one", "--surface-method", options.surface_method, "--method",
-               options.method, "--quads", str(options.quads), "--limit", str(options.limit)]
+               options.method, "--quads", str(options.quads), "--limit", str(options.limit),
+               "--timeout", str(options.timeout)]
     if options.size:
         command += ["--size", str(options.size)]
 
@@ -125,7 +127,8 @@ def main():
     parser.add_argument("--method", default="auto")
     parser.add_argument("--quads", type=float, default=700.0)
     parser.add_argument("--size", type=float, default=0.0, help="in place of --quads")
-    parser.add_argument("--limit", type=float, default=60.0)
+    parser.add_argument("--limit", type=float, default=200.0, help="seconds of processor time for a process")
+    parser.add_argument("--timeout", type=float, default=120.0, help="of hexcon.mesh_solid, whose own it is")
     parser.add_argument("--match", default="")
     parser.add_argument("--result", default="output/solids.jsonl")
     parser.add_argument("--one", action="store_true")
