@@ -75,3 +75,13 @@ def test_it_can_be_cancelled(tmp_path):
             raise Stop
     with pytest.raises(Stop):
         surface_from_solid(cad_file(BLIND, tmp_path / "solid.brep"), 0.5, "grid", progress=progress)
+
+
+def test_no_grid_is_tried_again_at_a_smaller_size(tmp_path):
+    """It tries parts of the size by itself: auto's next sizes are for the methods after it."""
+    path = cad_file(BLIND, tmp_path / "solid.brep")
+    assert surface_from_solid(path, 1.5).method == "grid"
+    assert surface_from_solid(path, 1.5, care=1).method == "subdivided-triangles"
+    with pytest.raises(ToolError) as caught:
+        surface_from_solid(path, 1.5, "grid", care=1)
+    assert caught.value.code is FaultCode.NOT_GRIDDED

@@ -50,7 +50,8 @@ _ROWS = (
                   "of hexes", "blocks.blocks_surface", turn=2, refusal="NOT_BLOCKS", refused="not of blocks",
                   cavities=False, leaves_out=True, filled_by="sheets"),
     SurfaceMethod("grid", "grid", "any solid whose features are not much smaller than the elements: a grid of hexes that "
-                  "takes them up", "grid.tries.grid_surface", ("timeout",), turn=3, refused="not gridded", filled_by="proposal"),
+                  "takes them up", "grid.tries.grid_surface", ("timeout", "care"), turn=3, refused="not gridded",
+                  filled_by="proposal"),
     # Hexes inside: 3 a quad on triangles, 10 to 22, and worse ones, where there are coarse quads.
     SurfaceMethod("subdivided", "subdivided quads", "any solid: gmsh's quads and triangles, each cut about its middle",
                   "whole.whole_surface", ("method",), turn=5, leaves_out=True, filled_by="diced", hexes_a_quad=10),

@@ -37,12 +37,15 @@ TRIES = (Try(1.0, EVERY_EDGE), Try(1.0), Try(1.0, slivers=True), Try(0.8, EVERY_
          Try(1.0, EVERY_EDGE, levels=1), Try(1.0, levels=1), Try(0.64), Try(0.5, slivers=True), Try(0.4), Try(0.3))
 
 
-def grid_surface(solid, size, link, timeout):
+def grid_surface(solid, size, link, timeout, care=0):
     """Quads on the solid and hexes inside, of a grid laid over it.
 
     timeout: seconds for all of the surface, of which others may need a part
+    care: above 0 another size was tried before, and all of TRIES with it: it is refused at once
     Returns a dict of points (V,3), quads (n,4), faces (n,), hexes (H,8) and notes. Raises WorkerFault NOT_GRIDDED.
     """
+    if care:
+        raise WorkerFault("NOT_GRIDDED", "a grid was tried at larger sizes, down to parts of this one")
     link.progress("features", 0.0)
     link.patience, begun = MOST * timeout, time.process_time()
     if not link.risk("grid"):
