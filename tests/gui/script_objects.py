@@ -314,7 +314,7 @@ def fem_has_the_menu_and_preferences_the_page():
     settle()
     bar = FreeCADGui.getMainWindow().menuBar()
     menus = [action for action in bar.actions() if action.objectName() == "HexConInFem"]
-    assert len(menus) == 1 and len(menus[0].menu().actions()) == 11
+    assert len(menus) == 1 and len(menus[0].menu().actions()) == 12
     FreeCADGui.activateWorkbench("HexConWorkbench")
     settle()
     assert not [action for action in bar.actions() if action.objectName() == "HexConInFem"]

@@ -203,6 +203,8 @@ def test_crashed_step_is_left_out(ball, monkeypatch):
         runs.append(ended)
         if len(runs) == 1:
             os.remove(os.path.join(folder, "result.npz"))
+            with open(os.path.join(folder, "risk.txt"), "w", encoding="utf-8") as stream:
+                stream.write("subdivided by factor 1, algorithm 6")
             return child.Ended(-11, "")
         return ended
     monkeypatch.setattr(gmsh_process, "_run", run)

@@ -218,11 +218,11 @@ static const effort efforts[] = {{0, false}, {1, false}, {2, false},
 
 /** Where more than this part of the hexes are inverted, and a round mends less than that part of
  * those, it would go on for hours and not come to an end: hexes between walls that are closer than
- * what is to lie between them. */
+ * what is to lie between them. Few hexes, of which that part is none, are soon done with. */
 static const double hopeless = 0.1, slow = 0.02;
 
 static bool is_hopeless(const improvement *m, size_t count, size_t before) {
-  return (double)count > hopeless * (double)m->set.mesh_hex_count &&
+  return slow * (double)count >= 1 && (double)count > hopeless * (double)m->set.mesh_hex_count &&
          (double)count > (1 - slow) * (double)before;
 }
 
