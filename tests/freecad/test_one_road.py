@@ -165,14 +165,14 @@ def test_a_surface_of_its_own_is_taken_as_it_is(freecad, meshed, monkeypatch):
     second = actions.make_hex_mesh(surface)
     assert mesh.TryOtherSurfaces and not second.TryOtherSurfaces
     from hexcon.quads import surface_from_solid
-    triangles = surface_from_solid(shape, size, "subdivided-triangles")
-    refuse_surfaces(monkeypatch, [*first_surfaces(shape, size, 1), len(triangles.quads)])
+    another = surface_from_solid(shape, size, "subdivided")
+    refuse_surfaces(monkeypatch, [*first_surfaces(shape, size, 1), len(another.quads)])
     solid.Shape, surface.Size = shape, size
     solid.Document.recompute()
     solid.Document.recompute()
     assert surface.Tried == 1 and mesh.Status == second.Status == "Up to date"
     assert same(second, hexcon.meshing.mesh_quad_surface(quad_surface.surface_of(surface)))
-    actions.update_quad_surface(surface, method="subdivided-triangles")
+    actions.update_quad_surface(surface, method="subdivided")
     assert surface.Status == "Up to date" and surface.Tried == 0
     assert mesh.Status.startswith("Failed: refused by the test")  # no other surfaces are of the method asked for
 
