@@ -348,3 +348,12 @@ hexcon_status linking_numbers_find(hexcon_context *context, const surface *s,
   sight_free(context, &w);
   return status;
 }
+
+hexcon_status linked_cycles_find(hexcon_context *context, const surface *s, handle_cycles *cycles,
+                                 bit_matrix *linking, bool *known) {
+  *linking = (bit_matrix){0};
+  hexcon_status status = handle_cycles_find(context, s, cycles, known);
+  if (!status && *known)
+    status = linking_numbers_find(context, s, cycles, linking, known);
+  return status;
+}

@@ -31,6 +31,16 @@
 hexcon_status linking_numbers_find(hexcon_context *context, const surface *s,
                                    const handle_cycles *cycles, bit_matrix *out, bool *known);
 
+/**
+ * handle_cycles_find, then linking_numbers_find of these.
+ * @param cycles   free with handle_cycles_free, also after an error
+ * @param linking  free with bit_matrix_free, also after an error
+ * @param known    false if either could not be told
+ * @return OUT_OF_MEMORY, CANCELLED, OUT_OF_TIME
+ */
+hexcon_status linked_cycles_find(hexcon_context *context, const surface *s, handle_cycles *cycles,
+                                 bit_matrix *linking, bool *known);
+
 #define LINKING_MOST_BOXES 2e10
 #define LINKING_MOST_CYCLES ((size_t)4096)
 

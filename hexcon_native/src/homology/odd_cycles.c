@@ -257,11 +257,9 @@ static hexcon_status judge(hexcon_context *context, const surface *s, const hand
 
 static hexcon_status find_by_linking(hexcon_context *context, const surface *s, odd_cycles *out) {
   handle_cycles cycles;
-  bit_matrix linking = {0};
+  bit_matrix linking;
   bool known = false;
-  hexcon_status status = handle_cycles_find(context, s, &cycles, &known);
-  if (!status && known)
-    status = linking_numbers_find(context, s, &cycles, &linking, &known);
+  hexcon_status status = linked_cycles_find(context, s, &cycles, &linking, &known);
   if (!status && known)
     status = judge(context, s, &cycles, &linking, out);
   bit_matrix_free(context, &linking);

@@ -36,11 +36,9 @@ static hexcon_status allocate(hexcon_context *context, size_t point_count, size_
 
 static hexcon_status label(hexcon_context *context, const surface *s, uint64_t *labels) {
   handle_cycles cycles;
-  bit_matrix linking = {0};
+  bit_matrix linking;
   bool known = false;
-  hexcon_status status = handle_cycles_find(context, s, &cycles, &known);
-  if (!status && known)
-    status = linking_numbers_find(context, s, &cycles, &linking, &known);
+  hexcon_status status = linked_cycles_find(context, s, &cycles, &linking, &known);
   if (!status && known)
     edge_labels_write(s, &cycles, &linking, labels);
   bit_matrix_free(context, &linking);
