@@ -6,8 +6,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "base/expansion.h"
-#include "box_place.h"
+#include "exact_bisection.h"
 #include "serendipity.h"
 
 enum {
@@ -17,20 +16,11 @@ enum {
   MAX_BOXES = 256 /* in all */
 };
 
-typedef struct exact_vector {
-  expansion x[3];
-} exact_vector;
-
-/** Bernstein coefficients times 1000, at 36 i + 6 j + k. */
-typedef struct exact_box {
-  expansion value[COEFFICIENTS];
-  box_place place;
-} exact_box;
-
 /** What the coefficients are made from: derivatives' coefficients times their binomials, and the
  * cross product of two of them. */
 typedef struct exact_room {
-  exact_box stack[MAX_OPEN];
+  expansion values[MAX_OPEN * COEFFICIENTS]; /* times 1000, at 36 i + 6 j + k */
+  box_place places[MAX_OPEN];
   exact_vector controls[27], derivatives[3][18], cross[80];
 } exact_room;
 
@@ -45,14 +35,7 @@ size_t exact_curved_room(void) {
 static bool scale_nodes(double nodes[20][3], double scaled[20][3]) {
   bool exact = true;
   for (int c = 0; c < 3; c++) {
-    double lowest = INFINITY, highest = -INFINITY;
-    for (int n = 0; n < 20; n++) { /* halves, as the difference may overflow */
-      lowest = fmin(lowest, nodes[n][c] / 2);
-      highest = fmax(highest, nodes[n][c] / 2);
-    }
-    int exponent = 0; /* frexp leaves it if there is infinity or no number */
-    (void)frexp(highest - lowest, &exponent);
-    double scale = ldexp(1, exponent < -1000 ? 1000 : -1 - exponent);
+    const double scale = exact_scale(&nodes[0][c], 3, 20);
     for (int n = 0; n < 20; n++) {
       scaled[n][c] = nodes[n][c] * scale;
       exact &= isfinite(scaled[n][c]) && (nodes[n][c] == 0 || fabs(scaled[n][c]) >= DBL_MIN);
@@ -112,40 +95,23 @@ static void derive(const exact_vector controls[27], int axis, exact_vector out[1
   }
 }
 
-static void add_cross(const exact_vector *a, const exact_vector *b, exact_vector *sum) {
-  for (int i = 0; i < 3; i++) {
-    int j = (i + 1) % 3, k = (i + 2) % 3;
-    expansion plus = expansion_product(&a->x[j], &b->x[k]);
-    expansion minus = expansion_product(&a->x[k], &b->x[j]);
-    minus = expansion_scaled(&minus, -1);
-    plus = expansion_sum(&plus, &minus);
-    sum->x[i] = expansion_sum(&sum->x[i], &plus);
-  }
-}
-
-static void add_dot(const exact_vector *a, const exact_vector *b, expansion *sum) {
-  for (int i = 0; i < 3; i++) {
-    expansion product = expansion_product(&a->x[i], &b->x[i]);
-    *sum = expansion_sum(sum, &product);
-  }
-}
-
 static void make_coefficients(exact_room *room) {
-  exact_box *box = &room->stack[0];
-  memset(box, 0, sizeof *box);
+  memset(room->values, 0, COEFFICIENTS * sizeof *room->values);
   memset(room->cross, 0, sizeof room->cross);
   for (int a = 0; a < 18; a++)
     for (int b = 0; b < 18; b++)
-      add_cross(&room->derivatives[1][a], &room->derivatives[2][b],
-                &room->cross[16 * (a / 6 + b / 6) + 4 * (a / 3 % 2 + b / 2 % 3) + a % 3 + b % 2]);
+      exact_add_cross(
+          &room->derivatives[1][a], &room->derivatives[2][b],
+          &room->cross[16 * (a / 6 + b / 6) + 4 * (a / 3 % 2 + b / 2 % 3) + a % 3 + b % 2]);
   for (int x = 0; x < 80; x++)
     for (int a = 0; a < 18; a++)
-      add_dot(&room->derivatives[0][a], &room->cross[x],
-              &box->value[36 * (x / 16 + a / 9) + 6 * (x / 4 % 4 + a / 3 % 3) + x % 4 + a % 3]);
+      exact_add_dot(
+          &room->derivatives[0][a], &room->cross[x],
+          &room->values[36 * (x / 16 + a / 9) + 6 * (x / 4 % 4 + a / 3 % 3) + x % 4 + a % 3]);
   for (int i = 0; i < COEFFICIENTS; i++) {
     expansion weight = expansion_difference(
         serendipity_tenths[i / 36] * serendipity_tenths[i / 6 % 6] * serendipity_tenths[i % 6], 0);
-    box->value[i] = expansion_product(&box->value[i], &weight);
+    room->values[i] = expansion_product(&room->values[i], &weight);
   }
 }
 
@@ -156,44 +122,23 @@ static int nonpositive_hex_corner(exact_room *room) {
     int i = corner >> 2, j = corner >> 1 & 1, k = corner & 1;
     exact_vector cross = {0};
     expansion value = {0};
-    add_cross(&room->derivatives[1][6 * 2 * i + 3 * j + 2 * k],
-              &room->derivatives[2][6 * 2 * i + 2 * 2 * j + k], &cross);
-    add_dot(&room->derivatives[0][9 * i + 3 * 2 * j + 2 * k], &cross, &value);
+    exact_add_cross(&room->derivatives[1][6 * 2 * i + 3 * j + 2 * k],
+                    &room->derivatives[2][6 * 2 * i + 2 * 2 * j + k], &cross);
+    exact_add_dot(&room->derivatives[0][9 * i + 3 * 2 * j + 2 * k], &cross, &value);
     if (!value.lost && expansion_sign(&value) <= 0)
       return corner;
   }
   return -1;
 }
 
-static bool is_lost(const exact_box *box) {
-  bool lost = false;
-  for (int i = 0; i < COEFFICIENTS; i++)
-    lost |= box->value[i].lost;
-  return lost;
-}
-
-static bool all_positive(const exact_box *box) {
-  for (int i = 0; i < COEFFICIENTS; i++)
-    if (expansion_sign(&box->value[i]) <= 0)
-      return false;
-  return true;
-}
-
-static int nonpositive_corner(const exact_box *box) {
-  for (int i = 0; i < 8; i++)
-    if (expansion_sign(&box->value[serendipity_corners[i]]) <= 0)
-      return i;
-  return -1;
-}
-
 /** de Casteljau at 1/2 along one axis, the upper half in place. */
-static void bisect(exact_box *box, exact_box *low) {
-  int axis = box_axis(&box->place), stride = strides[axis], across = strides[(axis + 1) % 3],
+static void bisect(expansion *values, box_place *place, expansion *low, box_place *low_place) {
+  int axis = box_axis(place), stride = strides[axis], across = strides[(axis + 1) % 3],
       along = strides[(axis + 2) % 3];
   for (int i = 0; i < 6; i++)
     for (int j = 0; j < 6; j++) {
-      expansion *high = box->value + i * across + j * along;
-      expansion *to = low->value + i * across + j * along;
+      expansion *high = values + i * across + j * along;
+      expansion *to = low + i * across + j * along;
       for (int level = 0; level < 6; level++) {
         to[level * stride] = high[0];
         for (int k = 0; k < 5 - level; k++) {
@@ -202,35 +147,11 @@ static void bisect(exact_box *box, exact_box *low) {
         }
       }
     }
-  box_place whole = box->place;
-  box_halve(&whole, &low->place, &box->place);
-}
-
-static jacobian_sign prove_by_bisection(exact_box *stack, double witness[3]) {
-  int top = 1;
-  for (int boxes = 0; top > 0; boxes++) {
-    exact_box *box = &stack[top - 1];
-    if (boxes == MAX_BOXES || is_lost(box))
-      return JACOBIAN_UNDECIDED;
-    int corner = nonpositive_corner(box);
-    if (corner >= 0) {
-      box_corner_point(&box->place, corner, witness);
-      return JACOBIAN_NONPOSITIVE;
-    }
-    if (all_positive(box)) {
-      top--;
-    } else if (box->place.depth == MAX_DEPTH || top == MAX_OPEN) {
-      return JACOBIAN_UNDECIDED;
-    } else {
-      bisect(box, box + 1);
-      top++;
-    }
-  }
-  return JACOBIAN_POSITIVE;
+  box_place whole = *place;
+  box_halve(&whole, low_place, place);
 }
 
 jacobian_sign prove_curved_jacobian_exactly(double nodes[20][3], void *memory, double witness[3]) {
-  static const box_place whole = {0};
   exact_room *room = memory;
   double scaled[20][3];
   if (!scale_nodes(nodes, scaled))
@@ -245,6 +166,14 @@ jacobian_sign prove_curved_jacobian_exactly(double nodes[20][3], void *memory, d
     return JACOBIAN_NONPOSITIVE;
   }
   make_coefficients(room);
-  room->stack[0].place = whole;
-  return prove_by_bisection(room->stack, witness);
+  room->places[0] = (box_place){0};
+  exact_boxes boxes = {.values = room->values,
+                       .places = room->places,
+                       .coefficients = COEFFICIENTS,
+                       .corners = serendipity_corners,
+                       .open = MAX_OPEN,
+                       .deepest = MAX_DEPTH,
+                       .most = MAX_BOXES,
+                       .halve = bisect};
+  return prove_by_bisection(&boxes, witness);
 }

@@ -27,6 +27,6 @@ static const double serendipity_binomials[3] = {1, 2, 1};
 static const double serendipity_tenths[6] = {10, 2, 1, 1, 2, 10};
 
 /** Corner coefficients of degree 5, at 36 i + 6 j + k, in the order of box_corners. */
-static const unsigned char serendipity_corners[8] = {0, 5, 30, 35, 180, 185, 210, 215};
+static const int serendipity_corners[8] = {0, 5, 30, 35, 180, 185, 210, 215};
 
 #endif
