@@ -381,3 +381,30 @@ void assert_certified_mesh(hexcon_context *context, const test_mesh *surface,
   assert_true(certificate.certified);
   hexcon_certificate_free(context, &certificate);
 }
+
+void assert_filled(test_mesh surface, const hexcon_mesh_options *options, const char *method,
+                   size_t hex_count) {
+  test_memory memory = {0};
+  hexcon_context *context = hexcon_context_new_with(test_reallocate, &memory);
+  hexcon_mesh *made = NULL;
+  assert_int_equal(hexcon_mesh_surface(context, surface.points, surface.surface_point_count,
+                                       surface.quads, surface.quad_count, options, &made),
+                   HEXCON_OK);
+  assert_int_equal(hexcon_mesh_hex_count(made), hex_count);
+  assert_string_equal(hexcon_mesh_method(made), method);
+  assert_certified_mesh(context, &surface, made);
+  hexcon_mesh_free(context, made);
+  hexcon_context_free(context);
+  assert_int_equal(memory.live, 0);
+  test_mesh_free(&surface);
+}
+
+double figure_of(const hexcon_mesh *mesh, const char *name) {
+  const hexcon_figure *figures;
+  size_t count = hexcon_mesh_report(mesh, &figures);
+  for (size_t i = 0; i < count; i++)
+    if (strcmp(figures[i].name, name) == 0)
+      return figures[i].value;
+  fail_msg("there is no figure %s", name);
+  return NAN;
+}

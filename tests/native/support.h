@@ -85,5 +85,11 @@ void assert_message(const hexcon_context *context);
  */
 void assert_certified_mesh(hexcon_context *context, const test_mesh *surface,
                            const hexcon_mesh *mesh);
+/** The surface, which is freed, gets so many certified hexes by the method named; nothing is left
+ * in memory. */
+void assert_filled(test_mesh surface, const hexcon_mesh_options *options, const char *method,
+                   size_t hex_count);
+/** A figure of the mesh's report. */
+double figure_of(const hexcon_mesh *mesh, const char *name);
 
 #endif

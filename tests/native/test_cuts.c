@@ -244,19 +244,7 @@ static const hexcon_mesh_options sheets_alone = {
     .method = HEXCON_METHOD_SHEETS, .no_core = true, .pillow = HEXCON_PILLOW_NEVER};
 
 static void expect_hexes(test_mesh mesh, size_t hex_count) {
-  test_memory memory = {0};
-  hexcon_context *context = hexcon_context_new_with(test_reallocate, &memory);
-  hexcon_mesh *made = NULL;
-  assert_int_equal(hexcon_mesh_surface(context, mesh.points, mesh.surface_point_count, mesh.quads,
-                                       mesh.quad_count, &sheets_alone, &made),
-                   HEXCON_OK);
-  assert_int_equal(hexcon_mesh_hex_count(made), hex_count);
-  assert_string_equal(hexcon_mesh_method(made), "sheets");
-  assert_certified_mesh(context, &mesh, made);
-  hexcon_mesh_free(context, made);
-  hexcon_context_free(context);
-  assert_int_equal(memory.live, 0);
-  test_mesh_free(&mesh);
+  assert_filled(mesh, &sheets_alone, "sheets", hex_count);
 }
 
 static void bodies_with_holes(void **state) {

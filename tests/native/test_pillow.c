@@ -57,16 +57,6 @@ static hexcon_mesh *fill(hexcon_context *context, const test_mesh *s, int pillow
   return mesh;
 }
 
-static double figure_of(const hexcon_mesh *mesh, const char *name) {
-  const hexcon_figure *figures;
-  size_t count = hexcon_mesh_report(mesh, &figures);
-  for (size_t i = 0; i < count; i++)
-    if (strcmp(figures[i].name, name) == 0)
-      return figures[i].value;
-  fail_msg("there is no figure %s", name);
-  return NAN;
-}
-
 /** A hex more for each quad and sheet, outermost, whether it helps or not; none that does not. */
 static void sheets_of_a_cube(void **state) {
   (void)state;

@@ -37,16 +37,6 @@ static test_mesh renumbered(const test_mesh *mesh, uint64_t *random) {
   return other;
 }
 
-static double figure(const hexcon_mesh *mesh, const char *name) {
-  const hexcon_figure *figures;
-  size_t count = hexcon_mesh_report(mesh, &figures);
-  for (size_t i = 0; i < count; i++)
-    if (strcmp(figures[i].name, name) == 0)
-      return figures[i].value;
-  fail_msg("there is no figure %s", name);
-  return 0;
-}
-
 static const hexcon_mesh_options by_sweep = {.method = HEXCON_METHOD_SWEPT};
 
 /** Mesh it, as it is and renumbered; `hex_count` hexes each time. Frees the mesh. */
@@ -66,7 +56,7 @@ static void expect_swept(test_mesh mesh, size_t hex_count) {
     assert_int_equal(hexcon_mesh_hex_count(made), hex_count);
     assert_int_equal(hexcon_mesh_order(made), 1);
     assert_string_equal(hexcon_mesh_method(made), "swept");
-    assert_close(figure(made, "cap quads") * figure(made, "rings"), (double)hex_count, 0);
+    assert_close(figure_of(made, "cap quads") * figure_of(made, "rings"), (double)hex_count, 0);
     for (size_t h = 0; h < hex_count; h++)
       assert_true(hexcon_mesh_quality(made)[h] > 0);
     hexcon_mesh_free(context, made);
