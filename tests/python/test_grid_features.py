@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from hexcon.quads.gmsh_worker import cad
-from hexcon.quads.gmsh_worker.grid.features import EVERY_EDGE, Cad, Features
+from hexcon.quads.gmsh_worker.grid.features import EVERY_EDGE, Features
 from hexcon.quads.gmsh_worker.grid.tessellation import Nearest
 
 
@@ -33,22 +33,6 @@ def rounded(occ):
     solid = occ.addBox(0, 0, 0, 4, 4, 4)
     occ.synchronize()
     occ.fillet([solid], [e for _, e in gmsh.model.getBoundary(gmsh.model.getBoundary([(3, solid)]), False, False)], [1])
-
-
-@pytest.fixture
-def features(tmp_path):
-    def make(build, size, smooth=25.0):
-        gmsh.model.add("made")
-        build(gmsh.model.occ)
-        gmsh.model.occ.synchronize()
-        path = str(tmp_path / "solid.brep")
-        gmsh.write(path)
-        gmsh.clear()
-        return Features(Cad(cad.load(path), size), smooth)
-    gmsh.initialize([], False)
-    gmsh.option.setNumber("General.Terminal", 0)
-    yield make
-    gmsh.finalize()
 
 
 # patches, curves, corners, Euler characteristic, shells, rounded angles of curves
@@ -87,7 +71,7 @@ def test_projections_are_nearest(features, build):
 
 
 def test_every_edge_of_a_rounded_box(features):
-    found = features(rounded, 0.5, EVERY_EDGE)
+    found = features(rounded, 0.5, smooth=EVERY_EDGE)
     assert (len(found.patches), len(found.curves), len(found.corners)) == (26, 48, 24)
     assert {c.kind for c in found.cad.carriers.values()} == {"Plane", "Cylinder", "Sphere"}
 

@@ -1,12 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Narrow places of solids, and grids split there. Needs gmsh importable, as the worker does."""
-import gmsh
 import numpy as np
 import pytest
 
-from hexcon.quads.gmsh_worker import cad
 from hexcon.quads.gmsh_worker.grid.cells_to_split import for_gaps
-from hexcon.quads.gmsh_worker.grid.features import Cad, Features
 from hexcon.quads.gmsh_worker.grid.gaps import KINDS, gaps_of
 from hexcon.quads.gmsh_worker.grid.overlay import Work, _captured as captured
 from hexcon.quads.gmsh_worker.grid.planes import planes_of
@@ -33,22 +30,6 @@ def slanted(occ):
     wall = occ.addBox(-3, -0.25, 0, 6, 0.5, 3)
     occ.rotate([(3, wall)], 0, 0, 0, 0, 0, 1, 0.4)
     occ.fuse([(3, wall)], [(3, occ.addBox(-4, -4, -2, 8, 8, 2))])
-
-
-@pytest.fixture
-def features(tmp_path):
-    def make(build, size):
-        gmsh.model.add("made")
-        build(gmsh.model.occ)
-        gmsh.model.occ.synchronize()
-        path = str(tmp_path / "solid.brep")
-        gmsh.write(path)
-        gmsh.clear()
-        return Features(Cad(cad.load(path), size))
-    gmsh.initialize([], False)
-    gmsh.option.setNumber("General.Terminal", 0)
-    yield make
-    gmsh.finalize()
 
 
 def narrowest(gaps):

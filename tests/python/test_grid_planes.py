@@ -1,31 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Axes and planes of the grid, what a grid's surface must keep, and what is too small. Needs gmsh importable."""
-import gmsh
 import numpy as np
 import pytest
 
-from hexcon.quads.gmsh_worker import cad
 from hexcon.quads.gmsh_worker.grid.axes import axes_of
-from hexcon.quads.gmsh_worker.grid.features import Cad, Features
 from hexcon.quads.gmsh_worker.grid.gate import Kept, kept
 from hexcon.quads.gmsh_worker.grid.planes import grid_hexes, planes_of
 from hexcon.quads.gmsh_worker.grid.too_small import too_small
-
-
-@pytest.fixture
-def features(tmp_path):
-    def make(build, size):
-        gmsh.model.add("made")
-        build(gmsh.model.occ)
-        gmsh.model.occ.synchronize()
-        path = str(tmp_path / "solid.brep")
-        gmsh.write(path)
-        gmsh.clear()
-        return Features(Cad(cad.load(path), size))
-    gmsh.initialize([], False)
-    gmsh.option.setNumber("General.Terminal", 0)
-    yield make
-    gmsh.finalize()
 
 
 def step(occ):
