@@ -4,10 +4,13 @@
 Open CASCADE's parametrisations (gp_Pln, gp_Cylinder ... in its reference) tell the closed forms from a few values; each
 is checked against others before it is believed.
 """
+import math
 from dataclasses import dataclass, field
 
 import gmsh
 import numpy as np
+
+import hexcon_native as hn
 
 _AGREES = 1e-9      # part of the size of what is described: a closed form that is farther off is none
 
@@ -32,12 +35,21 @@ class Carrier:
     minor: float = 0.0
     slope: float = 0.0
 
+    @property
+    def core(self):
+        """The hexcon_native.Carrier of a closed form."""
+        sizes = {"Cone": (math.atan(self.slope),), "Torus": (self.radius, self.minor), "Plane": (),
+                 "Line": ()}.get(self.kind, (self.radius,))
+        return hn.Carrier(self.kind.lower(), tuple(self.origin), tuple(self.axis), sizes=sizes)
+
     def project(self, points):
         """(nearest points (n,3), unit normals of a surface or tangents of a curve (n,3), of either sign)."""
         points = np.asarray(points, float).reshape(-1, 3)
         if not len(points):
             return points.copy(), points.copy()
-        return _PROJECTIONS[self.kind](self, points)
+        if self.kind != "other":
+            return hn.project_points(points, np.zeros(len(points), int), [self.core])
+        return _by_gmsh(self, points)
 
 
 def surface_carrier(face, scale):
@@ -118,8 +130,11 @@ def _sphere(face):
 def _torus(face):
     out, inner, there, quarter = _values(face, (0, 0), (0, np.pi), (np.pi, 0), (np.pi / 2, 0))
     centre, minor = (out + there) / 2, np.linalg.norm(out - inner) / 2
-    return {"origin": centre, "axis": _unit(np.cross(out - centre, quarter - centre)),
-            "radius": np.linalg.norm(out - centre) - minor, "minor": minor}
+    radius = np.linalg.norm(out - centre) - minor
+    if minor > radius:          # it crosses itself
+        return None
+    return {"origin": centre, "axis": _unit(np.cross(out - centre, quarter - centre)), "radius": radius,
+            "minor": minor}
 
 
 # O + t X
@@ -137,50 +152,6 @@ def _circle(edge):
 
 _SURFACES = {"Plane": _plane, "Cylinder": _cylinder, "Cone": _cone, "Sphere": _sphere, "Torus": _torus}
 _CURVES = {"Line": _line, "Circle": _circle}
-
-
-def _onto_plane(c, p):
-    return p - ((p - c.origin) @ c.axis)[:, None] * c.axis, np.broadcast_to(c.axis, p.shape).copy()
-
-
-def _parts(c, p):
-    """(heights along the axis, unit vectors away from it) of points."""
-    d = p - c.origin
-    z = d @ c.axis
-    return z, _unit(d - z[:, None] * c.axis)
-
-
-def _onto_cylinder(c, p):
-    z, e = _parts(c, p)
-    return c.origin + z[:, None] * c.axis + c.radius * e, e
-
-
-def _onto_sphere(c, p):
-    n = _unit(p - c.origin)
-    return c.origin + c.radius * n, n
-
-
-def _onto_cone(c, p):
-    _, e = _parts(c, p)
-    ruling = _unit(c.axis + c.slope * e)
-    along = np.maximum(((p - c.origin) * ruling).sum(1), 0.0)[:, None]
-    return c.origin + along * ruling, _unit(e - c.slope * c.axis)
-
-
-def _onto_torus(c, p):
-    _, e = _parts(c, p)
-    ring = c.origin + c.radius * e
-    n = _unit(p - ring)
-    return ring + c.minor * n, n
-
-
-def _onto_line(c, p):
-    return c.origin + ((p - c.origin) @ c.axis)[:, None] * c.axis, np.broadcast_to(c.axis, p.shape).copy()
-
-
-def _onto_circle(c, p):
-    _, e = _parts(c, p)
-    return c.origin + c.radius * e, np.cross(c.axis, e)
 
 
 def _by_gmsh(c, p):
@@ -207,7 +178,3 @@ def _at_parameters(dim, tag, points, ask):
             return np.full((1, 3), np.nan)
         half = len(points) // 2
         return np.vstack([_at_parameters(dim, tag, part, ask) for part in (points[:half], points[half:])])
-
-
-_PROJECTIONS = {"Plane": _onto_plane, "Cylinder": _onto_cylinder, "Sphere": _onto_sphere, "Cone": _onto_cone,
-                "Torus": _onto_torus, "Line": _onto_line, "Circle": _onto_circle, "other": _by_gmsh}

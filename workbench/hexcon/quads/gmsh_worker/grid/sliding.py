@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What each point of a captured mesh lies on, as the core's relaxation takes it."""
-import math
-
 import numpy as np
 
 import hexcon_native as hn
@@ -76,7 +74,7 @@ def _of_curve(features, c):
     if len(curve.parts) > 1 or carrier.kind == "other":
         return hn.Carrier("curve", tag=c)
     if curve.closed:
-        return _closed_form(carrier)
+        return carrier.core
     start, end = curve.at([0.0, curve.length])
     if carrier.kind == "Line":
         return hn.Carrier("line", tuple(start), tuple(end - start), sizes=(np.linalg.norm(end - start),))
@@ -90,10 +88,4 @@ def _of_patch(features, p, curves):
     carrier = features.cad.carriers[faces[0]]
     if len(faces) > 1 or carrier.kind == "other":
         return hn.Carrier("surface", tag=curves + p)
-    return _closed_form(carrier)
-
-
-def _closed_form(carrier):
-    sizes = {"Cone": (math.atan(carrier.slope),), "Torus": (carrier.radius, carrier.minor),
-             "Plane": ()}.get(carrier.kind, (carrier.radius,))
-    return hn.Carrier(carrier.kind.lower(), tuple(carrier.origin), tuple(carrier.axis), sizes=sizes)
+    return carrier.core
