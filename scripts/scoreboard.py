@@ -15,10 +15,11 @@ import argparse
 import json
 import os
 import resource
-import subprocess
 import sys
 import time
 from concurrent import futures
+
+from measuring import already, in_a_child, keep
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 GRACE = 3.0     # times the limit, in processor seconds: what a signal ends, should the budget not have ended it before
@@ -69,23 +70,9 @@ def _busy():
 def in_its_own_process(path, options):
     """Figures of one surface, whatever becomes of the process."""
     most = int(GRACE * options.limit) + 5
-
-    def limits():
-        resource.setrlimit(resource.RLIMIT_CPU, (most, most + 5))       # SIGXCPU, then SIGKILL
-        resource.setrlimit(resource.RLIMIT_AS, (options.memory << 20,) * 2)
     command = [sys.executable, __file__, "--one", path, "--limit", str(options.limit)]
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=60 * options.limit + 600, check=False,
-                              preexec_fn=limits)
-    except subprocess.TimeoutExpired:
-        return {"code": "TIME_LIMIT", "message": "not done by the clock", "seconds": float(most)}
-    lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
-    if not done.returncode and lines:
-        return json.loads(lines[-1])
-    if done.returncode in (-24, -9):
-        return {"code": "TIME_LIMIT", "message": "not done within the limit", "seconds": float(most)}
-    return {"code": "MEMORY_LIMIT" if "MemoryError" in done.stderr else "CRASH", "message": done.stderr.strip()[-300:],
-            "seconds": 0.0}
+    found = in_a_child(command, processor=most, memory=options.memory, clock=60 * options.limit + 600)
+    return {"seconds": float(most) if found["code"] == "TIME_LIMIT" else 0.0, **found}
 
 
 def witnesses(folder):
@@ -105,18 +92,9 @@ def witnesses(folder):
     return found
 
 
-def already(path):
-    """name -> what was found, of an earlier run."""
-    if not os.path.exists(path):
-        return {}
-    with open(path, encoding="utf-8") as stream:
-        return {found["name"]: found for found in map(json.loads, stream)}
-
-
 def run(options):
     """Measure what is not in the result file yet, small surfaces first, some at once; prints a line each."""
-    known, index = already(options.result), witnesses(options.folder)
-    os.makedirs(os.path.dirname(options.result) or ".", exist_ok=True)
+    known, index = already(options.result, "name"), witnesses(options.folder)
     files = sorted((name for name in os.listdir(options.folder) if name.endswith(".npz")),
                    key=lambda name: (os.path.getsize(os.path.join(options.folder, name)), name))
     left = [file for file in files if file[:-len(".npz")] not in known]
@@ -127,8 +105,7 @@ def run(options):
             name = file[:-len(".npz")]
             known[name] = {"name": name, "quads": 0, "genus": 0, "cavities": 0, "limit": options.limit,
                            **index.get(file, {}), **done.result()}
-            with open(options.result, "a", encoding="utf-8") as stream:
-                stream.write(json.dumps(known[name]) + "\n")
+            keep(options.result, known[name])
             print(f"{len(known):3d} of {len(files)}  {line_of(known[name])}", flush=True)
     return [known[file[:-len(".npz")]] for file in files]
 

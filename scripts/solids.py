@@ -14,8 +14,9 @@ import json
 import os
 import resource
 import statistics
-import subprocess
 import sys
+
+from measuring import already, failures, in_a_child, keep
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 ENDINGS = (".step", ".stp", ".brep", ".brp")
@@ -71,18 +72,9 @@ def in_its_own_process(path, options):
                "--timeout", str(options.timeout)]
     if options.size:
         command += ["--size", str(options.size)]
-
-    def limit():
-        resource.setrlimit(resource.RLIMIT_CPU, (int(options.limit), int(options.limit) + 5))
     before = _seconds()
-    done = subprocess.run(command, capture_output=True, text=True, check=False, preexec_fn=limit)
-    found = {"file": os.path.basename(path), "seconds": _seconds() - before}
-    lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
-    if done.returncode in (-9, -24):
-        return found | {"code": "TIME_LIMIT", "message": f"not done in {options.limit:g} processor seconds"}
-    if done.returncode or not lines:
-        return found | {"code": "CRASH", "message": f"status {done.returncode}: {done.stderr.strip()[-300:]}"}
-    return found | json.loads(lines[-1])
+    found = in_a_child(command, processor=options.limit)
+    return {"file": os.path.basename(path), "seconds": _seconds() - before, **found}
 
 
 def _seconds():
@@ -101,23 +93,11 @@ def line_of(found):
 def summary(found):
     """Lines: how many are certified, medians of those, and what the others are told."""
     good = [one for one in found if one["code"] == "CERTIFIED"]
-    by_code = {}
-    for one in found:
-        by_code.setdefault(one["code"], []).append(one["file"])
     words = [f"{len(good)} of {len(found)} certified"]
     if good:
         words[0] += ": medians of min {:.2f}, 5 % {:.2f}, mean {:.2f}; {:.0f} hexes, {:.1f} s".format(
             *(statistics.median(one[name] for one in good) for name in ("min", "q05", "mean", "hexes", "seconds")))
-    return "\n".join(words + [f"  {code}: {len(names)} ({', '.join(names)})" for code, names in sorted(by_code.items())
-                              if code != "CERTIFIED"])
-
-
-def already(path):
-    """file -> what was found, of an earlier run."""
-    if not os.path.exists(path):
-        return {}
-    with open(path, encoding="utf-8") as stream:
-        return {found["file"]: found for found in map(json.loads, stream)}
+    return "\n".join(words + failures(found, "file"))
 
 
 def main():
@@ -137,14 +117,12 @@ def main():
     if options.one:
         print("\n" + json.dumps(measured(options.folder, options)), flush=True)
         return
-    os.makedirs(os.path.dirname(options.result) or ".", exist_ok=True)
-    known = already(options.result)
+    known = already(options.result, "file")
     names = sorted(n for n in os.listdir(options.folder) if n.lower().endswith(ENDINGS) and options.match in n)
     for name in names:
         if name not in known:
             known[name] = in_its_own_process(os.path.join(options.folder, name), options)
-            with open(options.result, "a", encoding="utf-8") as stream:
-                stream.write(json.dumps(known[name]) + "\n")
+            keep(options.result, known[name])
         print(line_of(known[name]), flush=True)
     print(summary([known[name] for name in names]))
 

@@ -8,14 +8,14 @@ that was stopped goes on where it was; remove the file to measure anew. One line
 """
 import argparse
 import json
-import os
 import pathlib
-import subprocess
 import sys
 import time
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent / "python")]
+sys.path[:0] = [str(HERE), str(HERE.parent / "python"), str(HERE.parents[1] / "scripts")]
+
+from measuring import already, failures, in_a_child, keep  # noqa: E402
 
 
 def measured(seed, surface_method, method, limit):
@@ -64,16 +64,8 @@ def in_its_own_process(seed, options):
     command = [sys.executable, __file__, "--one", str(seed), "--surface-method", options.surface_method,
                "--method", options.method, "--limit", str(options.limit)]
     start = time.monotonic()
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=options.limit, check=False)
-    except subprocess.TimeoutExpired:
-        return {"seed": seed, "code": "TIME_LIMIT", "message": f"not done in {options.limit} s",
-                "seconds": time.monotonic() - start}
-    lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
-    if done.returncode or not lines:
-        return {"seed": seed, "code": "CRASH", "message": f"status {done.returncode}: {done.stderr.strip()[-300:]}",
-                "seconds": time.monotonic() - start}
-    return json.loads(lines[-1])
+    found = in_a_child(command, clock=options.limit)
+    return {"seed": seed, "seconds": time.monotonic() - start, **found}
 
 
 def line_of(found):
@@ -84,21 +76,9 @@ def line_of(found):
     return words + (" | " + found["message"][:160] if found.get("message") else "")
 
 
-def already(path):
-    """seed -> what was found, of an earlier run."""
-    if not os.path.exists(path):
-        return {}
-    with open(path, encoding="utf-8") as stream:
-        return {found["seed"]: found for found in map(json.loads, stream)}
-
-
 def summary(found):
-    by_code = {}
-    for one in found:
-        by_code.setdefault(one["code"], []).append(one["seed"])
-    return "\n".join([f"{len(by_code.get('CERTIFIED', []))} of {len(found)} certified"]
-                     + [f"  {code}: {len(seeds)} ({', '.join(map(str, seeds))})"
-                        for code, seeds in sorted(by_code.items()) if code != "CERTIFIED"])
+    certified = sum(one["code"] == "CERTIFIED" for one in found)
+    return "\n".join([f"{certified} of {len(found)} certified", *failures(found, "seed")])
 
 
 def main():
@@ -115,13 +95,11 @@ def main():
     if options.one is not None:
         print("\n" + json.dumps(measured(options.one, options.surface_method, options.method, options.limit)), flush=True)
         return
-    os.makedirs(os.path.dirname(options.result) or ".", exist_ok=True)
-    known, seeds = already(options.result), options.seeds or range(options.first, options.first + options.count)
+    known, seeds = already(options.result, "seed"), options.seeds or range(options.first, options.first + options.count)
     for seed in seeds:
         if seed not in known:
             known[seed] = in_its_own_process(seed, options)
-            with open(options.result, "a", encoding="utf-8") as stream:
-                stream.write(json.dumps(known[seed]) + "\n")
+            keep(options.result, known[seed])
         print(line_of(known[seed]), flush=True)
     print(summary([known[seed] for seed in seeds]))
 
