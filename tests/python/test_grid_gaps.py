@@ -66,6 +66,6 @@ def test_planes_on_walls_need_no_splits(features):
 def test_a_thin_wall_across_the_grid_is_captured(features):
     """Which no grid of these cells holds; split twice they do. To relax them takes minutes."""
     shape = features(slanted, 1.2)
-    mesh, most, _ = captured(shape, 1.2, Work(), lambda stage, fraction: None, 2)
+    mesh, most = captured(shape, 1.2, Work(), lambda stage, fraction: None, 2)
     assert len(most.curves) == len(shape.curves)
     assert set(mesh.patch.tolist()) == set(range(len(shape.patches)))

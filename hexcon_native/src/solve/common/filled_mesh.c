@@ -60,16 +60,6 @@ bool filled_mesh_is_better(const filled_mesh *a, const filled_mesh *b, const mes
   return !b->points || mesh_worth_exceeds(&one, &other, taste);
 }
 
-void filled_mesh_keep_better(hexcon_context *context, filled_mesh *made, filled_mesh *best,
-                             const mesh_taste *taste) {
-  if (filled_mesh_is_better(made, best, taste)) {
-    filled_mesh worse = *best;
-    *best = *made;
-    *made = worse;
-  }
-  filled_mesh_free(context, made);
-}
-
 void filled_mesh_hand_over(filled_mesh *from, double bound, size_t quad_count, hexcon_mesh *mesh) {
   mesh->points = from->points;
   mesh->hexes = from->hexes;

@@ -42,10 +42,6 @@ bool mesh_worth_exceeds(const mesh_worth *a, const mesh_worth *b, const mesh_tas
 /** Any mesh is better than one without points. */
 bool filled_mesh_is_better(const filled_mesh *a, const filled_mesh *b, const mesh_taste *taste);
 
-/** Keep the better one in `best`, and free the other; `made` is empty then. */
-void filled_mesh_keep_better(hexcon_context *context, filled_mesh *made, filled_mesh *best,
-                             const mesh_taste *taste);
-
 /**
  * Give the arrays to the result, with the figures that every method has; the mesh is empty then.
  * @param bound       of the worst scaled Jacobian that this topology can have on this surface

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One try of the grid: cells laid over the solid, its features taken up, sheets put in, all points relaxed."""
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -36,7 +36,7 @@ PASSES, MEAN_PASSES = 9, 4  # of hexcon_native.relax
 @dataclass
 class Overlay:
     """mesh: the CapturedMesh before its points were placed; features: those it has; points (P,3): in place; faces (n,):
-    CAD face of each quad; quality, certificate: of hexcon_native; kept: gate.Kept; tells: what was done, for notes."""
+    CAD face of each quad; quality, certificate: of hexcon_native; kept: gate.Kept."""
 
     mesh: object
     features: object
@@ -45,7 +45,6 @@ class Overlay:
     quality: object
     certificate: object
     kept: Kept
-    tells: dict = field(default_factory=dict)
 
     @property
     def good(self):
@@ -72,7 +71,7 @@ def overlay(features, h, work, report=lambda stage, fraction: None, levels=0):
     levels: how often cells may be split in two where the solid is narrower than they are
     Linear in the cells, but for sorting.
     """
-    captured, features, tells = _captured(features, h, work, report, levels)
+    captured, features = _captured(features, h, work, report, levels)
     best, pinched = None, ""
     for inside in (True, False):
         try:
@@ -86,14 +85,13 @@ def overlay(features, h, work, report=lambda stage, fraction: None, levels=0):
             break
     if best is None:
         raise NotCaptured("sheet", pinched)
-    best.tells.update(tells)
     return best
 
 
 def _filled(mesh, features, h, inside, work, report):
     """The Overlay of a captured mesh, with sheets that go on inside at concave curves, or not."""
     report("sheets", 0.0)
-    mesh, count = sheeted(mesh, features, inside=inside)
+    mesh, _ = sheeted(mesh, features, inside=inside)
     work.hexes += len(mesh.hexes)
     report("slide", 0.0)
     sliding = Sliding(mesh, features)
@@ -101,7 +99,7 @@ def _filled(mesh, features, h, inside, work, report):
     faces = _faces_of_quads(mesh, points, features)
     return Overlay(mesh, features, points, faces, hn.quality(points, mesh.hexes),
                    hn.certify(points, mesh.hexes, mesh.quads),
-                   kept(points, mesh, faces, features, sliding.chains, h), {"sheets": dict(count)})
+                   kept(points, mesh, faces, features, sliding.chains, h))
 
 
 def _faces_of_quads(mesh, points, features):
@@ -114,7 +112,7 @@ def _faces_of_quads(mesh, points, features):
 
 
 def _captured(features, h, work, report, levels):
-    """(CapturedMesh, the Features it has, what was done): of the first set of cells that the features fit on."""
+    """(CapturedMesh, the Features it has): of the first set of cells that the features fit on."""
     report("cells", 0.0)
     frame = axes_of(features)
     points, hexes = _grid(features, frame, h, levels)
@@ -131,8 +129,7 @@ def _captured(features, h, work, report, levels):
         work.hexes += int(found.inside.sum())
         used, packed = np.unique(hexes[found.inside], return_inverse=True)
         try:
-            mesh, most = capture_most(features, points[used], packed.reshape(-1, 8), h)
-            return mesh, most, {"cells": int(found.inside.sum())}
+            return capture_most(features, points[used], packed.reshape(-1, 8), h)
         except NotCaptured as error:
             fault = error
     raise fault
