@@ -399,6 +399,14 @@ void assert_filled(test_mesh surface, const hexcon_mesh_options *options, const 
   test_mesh_free(&surface);
 }
 
+void assert_witness(bool proved, const double witness[3]) {
+  for (int k = 0; k < 3; k++)
+    if (proved)
+      assert_true(witness[k] >= 0 && witness[k] <= 1);
+    else
+      assert_true(isnan(witness[k]));
+}
+
 double figure_of(const hexcon_mesh *mesh, const char *name) {
   const hexcon_figure *figures;
   size_t count = hexcon_mesh_report(mesh, &figures);

@@ -89,6 +89,8 @@ void assert_certified_mesh(hexcon_context *context, const test_mesh *surface,
  * in memory. */
 void assert_filled(test_mesh surface, const hexcon_mesh_options *options, const char *method,
                    size_t hex_count);
+/** A place in the unit cube where something was proved, else no number. */
+void assert_witness(bool proved, const double witness[3]);
 /** A figure of the mesh's report. */
 double figure_of(const hexcon_mesh *mesh, const char *name);
 

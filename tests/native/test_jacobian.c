@@ -18,11 +18,7 @@ static const int corner_bits[8] = {0, 1, 3, 2, 4, 5, 7, 6};
 /** A witness lies in the hex; there is one exactly if the hex is proved not positive. */
 static jacobian_sign sign_at(const double points[8][3], double witness[3]) {
   jacobian_sign sign = prove_jacobian_sign_at(&points[0][0], in_order, witness);
-  for (int k = 0; k < 3; k++)
-    if (sign == JACOBIAN_NONPOSITIVE)
-      assert_true(witness[k] >= 0 && witness[k] <= 1);
-    else
-      assert_true(isnan(witness[k]));
+  assert_witness(sign == JACOBIAN_NONPOSITIVE, witness);
   return sign;
 }
 
