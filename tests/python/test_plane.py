@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Quads of plane regions whose boundary is given. Needs gmsh importable, as the worker does."""
+import numpy as np
+import pytest
+
+from hexcon.quads.gmsh_worker.plane.mesher import NoPlaneMesh, mesh_plane
+from hexcon.quads.gmsh_worker.plane.region import PlaneRegion
+from hexcon.quads.gmsh_worker.plane.wishes import wishes
+
+
+@pytest.fixture(autouse=True, scope="module")
+def gmsh_running():
+    import gmsh
+    gmsh.initialize([], False)
+    gmsh.option.setNumber("General.Terminal", 0)
+    gmsh.model.add("solid")
+    yield
+    gmsh.finalize()
+
+
+def polygon(corners, counts):
+    """(N,2) points of a polygon with so many intervals on each side."""
+    corners = np.array(corners, float)
+    sides = np.roll(corners, -1, axis=0) - corners
+    return np.concatenate([a + np.arange(n)[:, None] / n * s for a, s, n in zip(corners, sides, counts)])
+
+
+def circle(x, y, radius, count, sense=-1):
+    angle = sense * 2 * np.pi * np.arange(count) / count
+    return np.column_stack([x + radius * np.cos(angle), y + radius * np.sin(angle)])
+
+
+def faults(region, mesh):
+    """What is wrong with a PlaneMesh, in words; shares nothing with the mesher."""
+    found, given = [], np.concatenate(region.loops)
+    if not np.array_equal(mesh.points[:len(given)], given):
+        found.append("boundary points moved")
+    seen = {}
+    for quad in mesh.quads.tolist():
+        for a, b in zip(quad, quad[1:] + quad[:1]):
+            seen[a, b] = seen.get((a, b), 0) + 1
+    start, outline = 0, set()
+    for loop in region.loops:
+        outline |= {(start + k, start + (k + 1) % len(loop)) for k in range(len(loop))}
+        start += len(loop)
+    if max(seen.values()) > 1 or {e for e in seen if e[::-1] not in seen} != outline:
+        found.append("no partition")
+    area = 0.0
+    for quad in mesh.points[mesh.quads]:
+        for k in range(4):
+            (ax, ay), (bx, by), (cx, cy) = quad[k - 1], quad[k], quad[(k + 1) % 4]
+            if (bx - ax) * (cy - by) - (by - ay) * (cx - bx) <= 0.0:
+                found.append("a corner is not convex")
+        x, y = quad.T
+        area += (x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
+    if abs(area / region.area - 1.0) > 1e-9:
+        found.append(f"area {area} for {region.area}")
+    return found
+
+
+SQUARE = [(0, 0), (6, 0), (6, 6), (0, 6)]
+# name: (loops, what makes it, quads, least scaled Jacobian)
+REGIONS = {
+    "square": ([polygon(SQUARE, [6] * 4)], "mapped", 36, 0.999),
+    "L": ([polygon([(0, 0), (8, 0), (8, 3), (3, 3), (3, 9), (0, 9)], [8, 3, 5, 6, 3, 9])], "mapped", 42, 0.999),
+    "disc": ([circle(0, 0, 3, 16, 1)], "o-grid", 32, 0.8),
+    "triangle": ([polygon([(0, 0), (6, 0), (3, 5)], [4, 4, 4])], "midpoint", 12, 0.85),
+    "ring": ([circle(0, 0, 3, 16, 1), circle(0, 0, 1, 16)], "ring", None, 0.95),
+}
+
+
+@pytest.mark.parametrize("name", REGIONS)
+def test_regions(name):
+    loops, road, quads, least = REGIONS[name]
+    region = PlaneRegion(loops)
+    mesh = mesh_plane(region, 1.0)
+    assert not faults(region, mesh)
+    assert mesh.name == road and mesh.low >= least and (quads is None or len(mesh.quads) == quads)
+
+
+@pytest.mark.parametrize("loops,words", [([polygon(SQUARE, [1, 1, 1, 2])], "odd"),
+                                         ([polygon(SQUARE[:3], [1] * 3)], "fewer"),
+                                         ([polygon(SQUARE, [2] * 4)[::-1]], "no area"),
+                                         ([polygon(SQUARE, [2] * 4), circle(3, 3, 1, 2)], "fewer")])
+def test_regions_without_quads_are_refused(loops, words):
+    with pytest.raises(NoPlaneMesh, match=words):
+        mesh_plane(PlaneRegion(loops), 1.0)
+
+
+def test_wishes_of_a_square_a_disc_and_a_ring():
+    right = np.full(4, np.pi / 2)
+    even, across, along = wishes([right], [np.array([4.0, 3, 4, 3])])
+    assert (even.multiple, even.hard) == (2, True) and set(even.terms.values()) == {1}
+    assert {frozenset(row.terms) for row in (across, along)} == {frozenset({(0, k), (0, k + 2)}) for k in (0, 1)}
+    assert sorted(across.terms.values()) == sorted(along.terms.values()) == [-1, 1]
+    assert not (across.hard or along.hard) and across.multiple == along.multiple == 0
+    assert [row.multiple for row in wishes([np.zeros(1)], [np.array([12.0])])] == [2, 4]
+    rows = wishes([np.zeros(1)] * 2, [np.array([12.0]), np.array([8.0])])
+    assert [row.multiple for row in rows] == [2, 2, 0] and rows[2].terms == {(0, 0): 1, (1, 0): -1}
