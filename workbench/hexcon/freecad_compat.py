@@ -66,6 +66,18 @@ def fem_module(name):
         raise _missing(f"FEM workbench: {error}") from error
 
 
+def mod_folders_on_path():
+    """Let FreeCAD find the modules of its workbenches, as freecadcmd does: a type that a document names is loaded by
+    importing its module (PartDesign::Body: PartDesign), and objects of types not found are left out in silence."""
+    for home in (os.environ.get("FREECAD_HOME"), freecad().getHomePath(), DEBIAN_HOME):
+        mod = os.path.join(home, "Mod") if home else ""
+        if os.path.isdir(mod):
+            for name in sorted(os.listdir(mod)):
+                _on_path(os.path.join(mod, name))
+            _on_path(mod)
+            _on_path(os.path.join(home, "Ext"))
+
+
 def version():
     """(major, minor) of the running FreeCAD."""
     text = freecad().Version()

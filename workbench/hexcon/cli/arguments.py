@@ -55,7 +55,15 @@ def _face_value(text):
     return face, float(value)
 
 
+def _add_solid_choice(command):
+    command.add_argument("--object", dest="object_name", metavar="NAME",
+                         help="of a document with several solids: the object (name or label) that holds the one meant")
+    command.add_argument("--solid", dest="solid_number", type=int, metavar="N",
+                         help="of several solids: which, as the refusal numbers them (1, 2, ...)")
+
+
 def _add_meshing(command):
+    _add_solid_choice(command)
     command.add_argument("--size", type=float, metavar="H",
                          help="wanted edge length in mm; needed for solids")
     command.add_argument("--surface-method", choices=list(SURFACE_METHOD_TABLE), default="auto",
@@ -135,6 +143,7 @@ def _add_smooth(commands_parser):
     command.add_argument("--tolerance", type=float, default=0.0, metavar="T",
                          help="how far a point of the boundary may be off the solid (default: 1/100 of the edges "
                               "about it)")
+    _add_solid_choice(command)
     command.add_argument("--keep", action="store_true",
                          help="keep boundary points that lie on nothing where they are; without it the mesh is refused")
     command.add_argument("--timeout", type=float, default=120.0, metavar="S",

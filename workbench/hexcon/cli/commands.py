@@ -12,6 +12,7 @@ from ..calculix.judging import check_loads
 from ..errors import FaultCode, ToolError
 from ..examples import example
 from ..files import WRITERS, check_method_for, ending_of, read_mesh, shown, write
+from ..files.solid_choice import SolidChoice
 from ..judging.fillable import fillable
 from ..judging.lengths import lengths_of
 from ..judging.report import check_mesh
@@ -79,6 +80,11 @@ def filling(options):
             **pairing_option(options.pairing)}
 
 
+def _chosen(path, options):
+    """The solid of a file that the options choose."""
+    return SolidChoice(path, options.object_name, options.solid_number)
+
+
 def _mesh_input(options):
     """Mesh of the input, solid or surface."""
     kept = filling(options)
@@ -86,7 +92,7 @@ def _mesh_input(options):
         if options.size is None:
             raise ToolError("a solid needs --size, the wanted edge length in mm",
                             FaultCode.BAD_OPTION)
-        return mesh_solid(options.input, options.size, surface_method=options.surface_method,
+        return mesh_solid(_chosen(options.input, options), options.size, surface_method=options.surface_method,
                           **kept)
     return mesh_quad_surface(_surface_input(options.input), **kept)
 
@@ -243,7 +249,8 @@ def smooth(options):
     """hexcon smooth MESH SOLID [-o OUT]"""
     check_outputs(options, WRITERS)
     given = read_mesh(options.input)
-    found = smooth_mesh(given, options.solid, tolerance=options.tolerance, keep=options.keep, timeout=options.timeout)
+    found = smooth_mesh(given, _chosen(options.solid, options), tolerance=options.tolerance, keep=options.keep,
+                        timeout=options.timeout)
     for path in options.output:
         write(found, path, order=given.order)
     corners, edges, faces, _ = np.bincount(found.dimension[np.unique(found.quads)], minlength=4).tolist()

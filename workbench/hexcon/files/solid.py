@@ -7,18 +7,19 @@ from hexcon.answers import Array
 
 from . import reading
 from .regular import regular_file
+from .solid_choice import choice_of
 
-_TABLE = {"face_numbers": Array("i", ("faces",), 1)}
+_TABLE = {"face_numbers": Array("i", ("faces",), 1), "notes": Array("s", ("notes",))}
 
 
 def solid_as_brep(path, brep, progress=None):
-    """Write the one solid of a .FCStd, .step, .brep ... file to a new file; returns the numbers (f,) of its faces in
-    the shape that the file holds, None where they are the same.
+    """Write the one solid of a .FCStd, .step, .brep, .iges ... file, or the one of a SolidChoice, to a new file.
 
-    Raises ToolError: BAD_SHAPE (no solid, several, not closed, not valid), and those of reading.read.
+    Returns (numbers (f,) of its faces in the shape that the file holds, None where they are the same; notes).
+    Raises ToolError: BAD_SHAPE (no solid, several, not closed, not valid), BAD_OPTION, and those of reading.read.
     """
-    numbers = _converted(path, brep, True, progress)
-    return numbers if len(numbers) else None
+    found = _converted(path, brep, True, progress)
+    return (found["face_numbers"] if len(found["face_numbers"]) else None), [str(note) for note in found["notes"]]
 
 
 def shape_of_file(path):
@@ -31,6 +32,6 @@ def shape_of_file(path):
 
 
 def _converted(path, brep, alone, progress):
-    path = regular_file(path)
-    return reading.read("solid", path, _TABLE, program="FreeCAD", progress=progress, brep=os.path.abspath(brep),
-                      alone=alone)["face_numbers"]
+    choice = choice_of(path)
+    return reading.read("solid", regular_file(path), _TABLE, program="FreeCAD", progress=progress,
+                        brep=os.path.abspath(brep), alone=alone, choice=choice.as_dict())

@@ -8,21 +8,22 @@ import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
 from hexcon.files.regular import regular_file
-from hexcon.files.shapes import from_shape
+from hexcon.files.shapes import IGES_ENDINGS, from_shape
 from hexcon.files.solid import solid_as_brep
+from hexcon.files.solid_choice import choice_of
 from hexcon.gmsh_process import run_job
 
 from .gmsh_worker.methods import METHODS
 from .surface import finished
 
-CAD_ENDINGS = (".step", ".stp", ".brep", ".brp")
+CAD_ENDINGS = (".step", ".stp", ".brep", ".brp", *IGES_ENDINGS)
 
 
 def surface_from_solid(shape_or_file, size, method="auto", *, care=0, timeout=120.0, progress=None):
     """A closed, outward, even QuadSurface on the boundary of one solid.
 
     shape_or_file  a FreeCAD Part.Shape, or the path of a .step .stp .brep .brp file (plain Python will do), or
-                   of a .FCStd file (needs FreeCAD)
+                   of a .FCStd .iges .igs file (needs FreeCAD), or a files.solid_choice.SolidChoice of one solid in a file
     size           wanted edge length, in the units of the shape (millimetres)
     method         one of METHODS
     care           0: the first good surface; 1, 2, ...: so many of the coarser ways are passed over, for where no hexes
@@ -36,13 +37,13 @@ def surface_from_solid(shape_or_file, size, method="auto", *, care=0, timeout=12
     TOOL_FAILED, NOT_SWEEPABLE, NOT_BLOCKS, NOT_TRANSFINITE, NOT_ALL_QUAD, ODD_SURFACE, OFF_CAD.
     """
     _check_options(size, method, timeout)
-    source, numbers_of = source_of(shape_or_file, progress)
+    source, numbers_of, read_notes = source_of(shape_or_file, progress)
     try:
         found = run_job("gmsh_worker", source, {"method": method, "size": float(size), "care": int(care)}, timeout,
                         progress)
     except ToolError as fault:
         raise naming_file(fault, shape_or_file) from fault
-    notes = [str(n) for n in found["notes"]]
+    notes = [*read_notes, *(str(n) for n in found["notes"])]
     _check_distance(found, notes)
     faces = found["faces"]
     face_numbers = numbers_of()
@@ -91,8 +92,8 @@ def naming_file(fault, shape_or_file):
 
 
 def source_of(shape_or_file, progress):
-    """(callable(folder) -> CAD path, callable() -> face numbers of the caller's shape, None if they are 1, 2, 3, ...);
-    the second is called after the first."""
+    """(callable(folder) -> CAD path, callable() -> face numbers of the caller's shape, None if they are 1, 2, 3, ...,
+    list of notes); the second is called, and the third is filled, after the first."""
     if not isinstance(shape_or_file, (str, os.PathLike)):
         write, face_numbers = from_shape(shape_or_file)
 
@@ -100,23 +101,25 @@ def source_of(shape_or_file, progress):
             path = os.path.join(folder, "solid.brep")
             write(path)
             return path
-        return write_into, lambda: face_numbers
-    path = regular_file(shape_or_file)
+        return write_into, lambda: face_numbers, []
+    choice, path = choice_of(shape_or_file), regular_file(shape_or_file)
     ending = os.path.splitext(path)[1].lower()
-    if ending == ".fcstd":
-        return _of_document(path, progress)
-    if ending not in CAD_ENDINGS:
+    if ending != ".fcstd" and ending not in CAD_ENDINGS:
         raise ToolError(f"{ending or 'no ending'}: a solid is read from {', '.join(CAD_ENDINGS)} or .FCStd",
                         FaultCode.FILE_FORMAT)
-    return (lambda folder: path), lambda: None
+    if ending in (".fcstd", *IGES_ENDINGS) or not choice.plain:
+        return _through_freecad(shape_or_file, progress)
+    return (lambda folder: path), lambda: None, []
 
 
-def _of_document(path, progress):
-    """As source_of, of a .FCStd file."""
-    numbers = []
+def _through_freecad(path, progress):
+    """As source_of, of a file that FreeCAD reads."""
+    numbers, notes = [], []
 
     def write(folder):
         brep = os.path.join(folder, "solid.brep")
-        numbers.append(solid_as_brep(path, brep, progress))
+        found, told = solid_as_brep(path, brep, progress)
+        numbers.append(found)
+        notes[:] = told
         return brep
-    return write, lambda: numbers[-1]
+    return write, lambda: numbers[-1], notes

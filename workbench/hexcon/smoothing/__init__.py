@@ -87,7 +87,7 @@ def smooth(mesh, shape_or_file, *, tolerance=0.0, keep=False, timeout=120.0, pro
 
 def _relaxed(given, shape_or_file, job, timeout, progress):
     """The worker's answer."""
-    source, numbers_of = source_of(shape_or_file, progress)
+    source, numbers_of, read_notes = source_of(shape_or_file, progress)
 
     def write(folder):
         disk.write_arrays(os.path.join(folder, "mesh.npz"),
@@ -102,6 +102,7 @@ def _relaxed(given, shape_or_file, job, timeout, progress):
     numbers = numbers_of()
     if numbers is not None:
         found["faces"] = np.asarray(numbers, np.int64)[found["faces"] - 1]
+    found["notes"] = [*read_notes, *found["notes"]]
     return found
 
 

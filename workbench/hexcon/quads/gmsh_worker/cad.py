@@ -27,8 +27,19 @@ def load(path):
         raise WorkerFault("FILE_FORMAT", f"gmsh cannot read the CAD file: {error}") from error
     volumes = [tag for _, tag in gmsh.model.getEntities(3)]
     if len(volumes) != 1:
-        raise WorkerFault("BAD_SHAPE", f"the shape holds {len(volumes)} solids; exactly one is needed")
+        raise WorkerFault("BAD_SHAPE", f"the shape holds {len(volumes)} solids{_boxes(volumes)}; exactly one is needed"
+                          + (": choose it by --solid N" if volumes else ""))
     return Solid(volumes[0])
+
+
+def _boxes(volumes):
+    """The first solids in words, by their sizes and places, in the order that --solid counts."""
+    told = []
+    for number, tag in enumerate(volumes[:20], 1):
+        low, high = np.array(gmsh.model.getBoundingBox(3, tag)).reshape(2, 3)
+        size = " x ".join(f"{length:.4g}" for length in high - low)
+        told.append(f"{number}: {size} at ({', '.join(f'{x:.4g}' for x in low)})")
+    return f" ({'; '.join(told)}{'; ...' if len(volumes) > 20 else ''})" if told else ""
 
 
 def count_shells(solid):

@@ -35,23 +35,22 @@ def read_med(job):
 
 
 def read_solid(job):
-    """Write the shape in a document or CAD file to job["brep"]; with job["alone"] its one solid alone.
+    """Write the shape that job["choice"] means, of a document or CAD file, to job["brep"]; with job["alone"] its one
+    solid alone.
 
-    Returns {"face_numbers": (f,) the numbers of the solid's faces in the shape}, empty where they are the same.
+    Returns {"face_numbers": (f,) the numbers of the solid's faces in the shape, empty where they are the same; "notes"}.
     """
     with _named():
         from hexcon.files import shapes
+        from hexcon.files.solid_choice import SolidChoice
         from hexcon.freecad_compat import freecad_module
-        if job["file"].lower().endswith(".fcstd"):
-            shape = shapes.shape_in_document_file(job["file"])
+        choice, numbers, notes = SolidChoice(job["file"], **job["choice"]), None, []
+        if job["alone"] or not choice.plain or job["file"].lower().endswith(".fcstd"):
+            shape, row, notes = shapes.chosen_shape(job["file"], choice)
+            write, numbers = shapes.from_shape(shape, row) if job["alone"] else (shape.exportBrep, None)
         else:
-            shape = freecad_module("Part").read(job["file"])
-        numbers = None
-        if job["alone"]:
-            write, numbers = shapes.from_shape(shape)
-            write(job["brep"])
-        else:
-            shape.exportBrep(job["brep"])
+            write = freecad_module("Part").read(job["file"]).exportBrep     # of several solids, too
+        write(job["brep"])
     if not os.path.exists(job["brep"]):
         raise Refusal("FILE_IO", "FreeCAD wrote no shape of it")
-    return {"face_numbers": np.array([] if numbers is None else numbers, np.int64)}
+    return {"face_numbers": np.array([] if numbers is None else numbers, np.int64), "notes": np.array(notes, str)}
