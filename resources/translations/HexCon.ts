@@ -833,6 +833,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>revolved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turned parts: bodies of revolution by a full turn, with any profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>grid</source>
         <translation type="unfinished"></translation>
     </message>
@@ -894,6 +902,14 @@
     </message>
     <message>
         <source>Surface: quads by gmsh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turned part: quads of half a section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turned part: turning the section</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -25,6 +25,8 @@ class FaultCode(enum.Enum):
     NOT_BLOCKS = ("solid not made of blocks", "surface method blocks was given a solid with other than three edges "
                   "at a corner, or round elsewhere than it can be", "CAD faces at fault",
                   "take another surface method, or auto")
+    NOT_REVOLVED = ("solid not revolved", "surface method revolved was given a solid that is no body of revolution "
+                    "by a full turn", "CAD faces at fault", "take another surface method, or auto")
     NOT_GRIDDED = ("solid not gridded", "surface method grid found no grid that takes up all of the solid's features "
                    "and is certified", "CAD faces at fault", "take a smaller size, as the message says, another "
                    "surface method, or auto")

@@ -14,6 +14,8 @@ AROUND = {
     "walls": "Surface: quads of the walls",
     "faces": "Surface: quads of the blocks' faces",
     "mesh": "Surface: quads by gmsh",
+    "section": "Turned part: quads of half a section",
+    "turn": "Turned part: turning the section",
     "features": "Grid: the solid's faces, edges and corners",
     "cells": "Grid: which cells are inside",
     "capture": "Grid: taking up edges and corners",

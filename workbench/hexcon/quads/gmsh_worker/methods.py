@@ -49,15 +49,18 @@ _ROWS = (
     SurfaceMethod("blocks", "blocks", "round solids, and those with three edges at each corner: quads of a few blocks "
                   "of hexes", "blocks.blocks_surface", turn=2, refusal="NOT_BLOCKS", refused="not of blocks",
                   cavities=False, leaves_out=True, filled_by="sheets"),
+    SurfaceMethod("revolved", "revolved", "turned parts: bodies of revolution by a full turn, with any profile",
+                  "revolved.surface.revolved_surface", turn=3, refusal="NOT_REVOLVED", refused="not revolved",
+                  filled_by="proposal"),
     SurfaceMethod("grid", "grid", "any solid whose features are not much smaller than the elements: a grid of hexes that "
-                  "takes them up", "grid.tries.grid_surface", ("timeout", "care"), turn=3, refused="not gridded",
+                  "takes them up", "grid.tries.grid_surface", ("timeout", "care"), turn=4, refused="not gridded",
                   filled_by="proposal"),
     # Hexes inside: 3 a quad on triangles, 10 to 22, and worse ones, where there are coarse quads.
     SurfaceMethod("subdivided", "subdivided quads", "any solid: gmsh's quads and triangles, each cut about its middle",
-                  "whole.whole_surface", ("method",), turn=5, leaves_out=True, filled_by="diced", hexes_a_quad=10),
+                  "whole.whole_surface", ("method",), turn=6, leaves_out=True, filled_by="diced", hexes_a_quad=10),
     SurfaceMethod("subdivided-triangles", "subdivided triangles",
                   "any solid: gmsh's triangles, each cut into three quads", "triangles.triangle_surface", ("care",),
-                  turn=4, refused="no subdivided triangles", leaves_out=True, filled_by="diced", hexes_a_quad=3,
+                  turn=5, refused="no subdivided triangles", leaves_out=True, filled_by="diced", hexes_a_quad=3,
                   diced_first=True),
     SurfaceMethod("blossom", "blossom", "any solid, by luck: gmsh's triangles, paired to quads; few and even ones",
                   "whole.whole_surface", ("method",), filled_by="shelling", hexes_a_quad=4),
