@@ -240,3 +240,20 @@ def test_documents_of_older_versions_open(freecad, meshed, tmp_path):
         assert hex_mesh.is_hex_mesh(mesh)
     finally:
         freecad.closeDocument(document.Name)
+
+
+def test_local_sizes_live_in_the_document(freecad, box_in):
+    """The call's mesh has them, its surface object keeps them, and a recompute goes the same road."""
+    solid = box_in((6, 4, 2))
+    with pytest.raises(HexconError, match="WHERE=SIZE"):
+        actions.mesh_solid_object(solid, 2.0, local_sizes={"face1": 1.0})
+    mesh = actions.mesh_solid_object(solid, 2.0, local_sizes={"Face1": 1.0})
+    surface, hexes = mesh.Surface, mesh.Hexes
+    assert surface.LocalSizes == ["Face1=1.0"] and hexes > 3 * 2
+    assert same(mesh, hexcon.mesh_solid(solid.Shape, 2.0, local_sizes=["Face1=1.0"]))
+    surface.LocalSizes = []
+    solid.Document.recompute()
+    assert mesh.Hexes == 3 * 2 and surface.MethodUsed == "sweep"
+    surface.LocalSizes = ["Face1=1.0"]
+    solid.Document.recompute()
+    assert mesh.Hexes == hexes

@@ -14,8 +14,8 @@ from hexcon.quads.gmsh_worker.grid.grid_levels import balanced_levels
 from hexcon.quads.gmsh_worker.grid.hex_neighbours import HexNeighbours
 from hexcon.quads.gmsh_worker.grid.pillow_groups import pillow_groups
 from hexcon.quads.gmsh_worker.grid.refined_grid import refined_grid
-from hexcon.quads.gmsh_worker.grid.size_field import SizeField
 from hexcon.quads.gmsh_worker.grid.solid_rays import SolidRays
+from hexcon.quads.gmsh_worker.size_field import SizeField
 
 LEAST = 0.25      # scaled Jacobian that is promised on even planes
 
@@ -146,29 +146,16 @@ def test_taken_cells_of_a_refined_grid():
     assert 0.85 < radius.min() and radius.max() < 1.35
 
 
-def test_size_field():
-    field = SizeField(2.0, [[0, 0, 0], [5, 0, 0]], [0.5, 3.0], [lambda p: np.where(p[:, 2] > 4, 0.25, 9.0)])
-    sizes = field([[0, 0, 0], [1, 0, 0], [5, 0, 0], [0, 0, 5]])
-    assert sizes[2:].tolist() == [2.0, 0.25]
-    assert 0.4 < sizes[0] <= 0.5 and sizes[1] - sizes[0] == pytest.approx(0.6)
-    with pytest.raises(ValueError, match="positive"):
-        SizeField(1.0, functions=[lambda p: np.zeros(len(p))])([[0, 0, 0]])
-    with pytest.raises(ValueError, match="positive"):
-        SizeField(1.0, [[0, 0, 0]], [-1.0])
-    with pytest.raises(ValueError, match="one each"):
-        SizeField(1.0, [[0, 0, 0]], [1.0, 2.0])
-
-
 def test_a_field_is_followed():
     """No hex is longer than the field allows where it stands, on whatever level."""
     planes = [np.linspace(0, 8, 9)] * 3
     field = SizeField(1.0, [[4.1, 4.2, 3.9]], [0.2])
-    points, hexes = refined(planes, for_field(planes, field, 3))
+    points, hexes = refined(planes, for_field(planes, field))
     corners = points[hexes]
     longest = np.ptp(corners, axis=1).max(axis=1)
     assert faults(planes, points, hexes) == []
     assert (longest <= 2.01 * field(corners.mean(axis=1))).all() and longest.min() <= 0.25
-    assert [len(one) for one in for_field(planes, SizeField(1.0), 3)] == [0, 0, 0]
+    assert [len(one) for one in for_field(planes, SizeField(1.0))] == [0, 0, 0]
 
 
 def apart(a, b, kind="wall", levels=3):

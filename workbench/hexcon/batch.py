@@ -9,7 +9,7 @@ from hexcon_native import METHOD_CHOICES, check_options
 from . import pillows
 from .chatter import chatter_to
 from .cli import terminal
-from .cli.arguments import CHOSEN, LAYERS_HELP, PAIRING_HELP, PAIRINGS, methods_help
+from .cli.arguments import CHOSEN, LAYERS_HELP, PAIRING_HELP, PAIRINGS, add_local_sizes, methods_help
 from .cli.commands import SOLID_ENDINGS, pairing_option
 from .cli.terminal import complain, say
 from .errors import FaultCode, HexconError, ToolError
@@ -110,6 +110,7 @@ def _parser():
     parser.add_argument("--order", type=int, choices=(1, 2), default=1)
     parser.add_argument("--surface-method", choices=list(SURFACE_METHOD_TABLE), default="auto",
                         help=f"how surfaces are meshed with quads. {methods_help(SURFACE_METHOD_TABLE)}")
+    add_local_sizes(parser)
     parser.add_argument("--method", choices=METHOD_CHOICES, default="auto",
                         help=f"how they are filled with hexes. {methods_help(CHOSEN)}")
     parser.add_argument("--layers", type=int, default=0, metavar="K", help=LAYERS_HELP)
@@ -142,6 +143,7 @@ def main(arguments=None):
             options.folder, options.out or os.path.join(options.folder, "hexcon"), options.size,
             endings, say,
             order=options.order, surface_method=options.surface_method, method=options.method,
+            local_sizes=options.local_sizes, per_turn=options.per_turn,
             layers=options.layers, pillow=options.pillow, allow_topological=options.allow_topological,
             **pairing_option(options.pairing))
     except HexconError as fault:

@@ -10,6 +10,7 @@ from ..examples import example_names
 from ..files import READERS, SOLVER_ENDINGS, WRITERS, shown
 from ..files.surfaces import MESH_ENDINGS, SURFACE_ENDINGS
 from ..quads import METHOD_TABLE as SURFACE_METHOD_TABLE
+from ..quads.local_sizes import WAYS
 from . import commands, examples
 from .terminal import Parser
 
@@ -68,7 +69,17 @@ def _add_meshing(command):
                          help="wanted edge length in mm; needed for solids")
     command.add_argument("--surface-method", choices=list(SURFACE_METHOD_TABLE), default="auto",
                          help=f"how a solid's surface is meshed with quads. {methods_help(SURFACE_METHOD_TABLE)}")
+    add_local_sizes(command)
     _add_filling(command)
+
+
+def add_local_sizes(command):
+    """Options of where a solid gets smaller quads; the batch has them too."""
+    command.add_argument("--local-size", action="append", default=[], dest="local_sizes", metavar="WHERE=H",
+                         help=f"a smaller edge length at a place; may be given several times. WHERE: {WAYS}")
+    command.add_argument("--per-turn", type=int, default=0, metavar="N",
+                         help="so many quads, about, round a full turn of round faces (default: as many as come by "
+                              "the size)")
 
 
 def _add_filling(command, method="auto"):

@@ -93,7 +93,7 @@ def _mesh_input(options):
             raise ToolError("a solid needs --size, the wanted edge length in mm",
                             FaultCode.BAD_OPTION)
         return mesh_solid(_chosen(options.input, options), options.size, surface_method=options.surface_method,
-                          **kept)
+                          local_sizes=options.local_sizes, per_turn=options.per_turn, **kept)
     return mesh_quad_surface(_surface_input(options.input), **kept)
 
 

@@ -13,6 +13,7 @@ from hexcon.objects import (
 from hexcon.objects.parametric import solid_shape
 from hexcon.objects.quad_surface import TIMEOUT
 from hexcon.pillows import pillow_of
+from hexcon.quads.local_sizes import written
 from hexcon.topological import refuse_topological_method
 
 from .changing import hide, update
@@ -50,14 +51,15 @@ def update_hex_mesh(mesh_object, **settings):
             hex_mesh_objects.set_settings)
 
 
-def mesh_solid_object(solid_object, size, *, surface_method="auto", method="auto", layers=0,
-                      pillow="auto", order=1, budget=0.0, timeout=TIMEOUT, allow_topological=False):
+def mesh_solid_object(solid_object, size, *, surface_method="auto", method="auto", local_sizes=(), per_turn=0,
+                      layers=0, pillow="auto", order=1, budget=0.0, timeout=TIMEOUT, allow_topological=False):
     """The short road: mesh a solid's surface with quads, and fill it; returns the hex mesh object.
 
     solid_object    a document object whose Shape holds exactly one solid
     size            wanted edge length, mm
     surface_method  hexcon.quads.METHODS
     method          hexcon_native.METHODS
+    local_sizes, per_turn  smaller elements at places of the solid, as hexcon.quads.surface_from_solid
     layers          cells: at least so many layers of plain hexes under the surface
     pillow          sheets of hexes under the surface, as hexcon_native.mesh; at most 3 here
     order           1 (C3D8) or 2 (C3D20)
@@ -70,13 +72,15 @@ def mesh_solid_object(solid_object, size, *, surface_method="auto", method="auto
     Raises HexconError: those of hexcon.meshing.mesh_solid and femmesh.add_to_document.
     """
     refuse_topological_method(method, allow_topological)  # before the work, not after it
-    of_surface = {"source": solid_object, "size": float(size), "method": surface_method}
+    of_surface = {"source": solid_object, "size": float(size), "method": surface_method,
+                  "local_sizes": written(local_sizes), "per_turn": int(per_turn)}
     of_mesh = {"method": method, "layers": layers, "pillow": pillow, "order": order, "budget": float(budget),
                "allow_topological": allow_topological, "try_other_surfaces": True}
     shape = solid_shape(solid_object)
     mesh = taken() or mesh_solid(
-        shape, size, surface_method=surface_method, method=method, layers=layers, pillow=pillow_of(pillow),
-        order=order, budget=budget, timeout=timeout, threads=preferences.value("Threads"))
+        shape, size, surface_method=surface_method, method=method, local_sizes=local_sizes, per_turn=per_turn,
+        layers=layers, pillow=pillow_of(pillow), order=order, budget=budget, timeout=timeout,
+        threads=preferences.value("Threads"))
     mark, _ = quad_surface_objects.job_of(**of_surface)
     document = solid_object.Document
     with freecad_compat.transaction(document, "Hex mesh"):

@@ -7,6 +7,7 @@ import math
 
 from hexcon import freecad_compat
 from hexcon.objects import quad_surface as quad_surface_objects
+from hexcon.quads.local_sizes import written
 
 from .changing import hide, update
 from .prepared import prepared, taken
@@ -23,19 +24,21 @@ def default_size(shape):
     return min((float(f"{n}e{power}") for n in _NICE), key=lambda size: abs(size - tenth))
 
 
-def make_quad_surface(source, size=None, *, method="auto"):
+def make_quad_surface(source, size=None, *, method="auto", local_sizes=(), per_turn=0):
     """A quad surface object made from a document object; returns it.
 
     source  an object whose Shape holds exactly one solid, or a FEM mesh object whose quads
             (or the outer faces of whose volumes) are taken; then size and method do not matter
     size    wanted edge length, mm; None: a tenth of the solid's diagonal
     method  hexcon.quads.METHODS
+    local_sizes, per_turn  smaller quads at places of the solid, as hexcon.quads.surface_from_solid
     The solid is hidden, as the quads cover it. Raises HexconError: those of
     hexcon.quads.surface_from_solid and surface_from_object.
     """
     if size is None:
         size = default_size(source.Shape) if hasattr(source, "Shape") else 1.0
-    settings = {"source": source, "size": float(size), "method": method}
+    settings = {"source": source, "size": float(size), "method": method,
+                "local_sizes": written(local_sizes), "per_turn": int(per_turn)}
     return _new_quad_surface(source.Document, settings)
 
 
@@ -70,7 +73,8 @@ def update_quad_surface(surface_object, **settings):
     says so in its Status. Raises HexconError as make_quad_surface.
     """
     whole = {"source": surface_object.Source, "file": surface_object.File, "example": surface_object.Example,
-             "size": surface_object.Size.Value, "method": surface_object.Method, **settings}
+             "size": surface_object.Size.Value, "method": surface_object.Method,
+             "local_sizes": list(surface_object.LocalSizes), "per_turn": surface_object.PerTurn, **settings}
     mark, job = quad_surface_objects.job_of(**whole)
     update(surface_object, taken() or job(None), mark, settings,
             quad_surface_objects.set_settings)

@@ -68,7 +68,8 @@ class SurfacePanel(Panel):
         about = self.about()
         kept = {"source": self.source}
         if self.edited:
-            kept.update(file=about.File, example=about.Example)
+            kept.update(file=about.File, example=about.Example, local_sizes=list(about.LocalSizes),
+                        per_turn=about.PerTurn)
         return {**kept, **self._settings()}
 
     def _outdated(self, *_):

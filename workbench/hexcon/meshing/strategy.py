@@ -54,6 +54,7 @@ class Strategy:
     method          how surfaces are filled: hexcon_native.METHODS
     surface_method  how a solid's surface is meshed with quads: hexcon.quads.METHODS
     timeout         seconds for gmsh, each time
+    local_sizes, per_turn  of a solid's surface: see quads.surface_from_solid
     options         as mesh_surface
     With both methods "auto", and without a budget, the surfaces of TRIES are tried until one is filled. Of each
     come first: the hexes that its method has in mind (QuadSurface.hexes), then, of large surfaces made to be
@@ -61,10 +62,12 @@ class Strategy:
     Raises HexconError BAD_ARGUMENT for options that hexcon_native.mesh would refuse.
     """
 
-    def __init__(self, method="auto", surface_method="auto", *, timeout=120.0, **options):
+    def __init__(self, method="auto", surface_method="auto", *, timeout=120.0, local_sizes=(), per_turn=0, **options):
         hexcon_native.check_options(method, **{name: options[name] for name in _CHECKED if name in options})
         self.method, self.surface_method = method, surface_method
         self._timeout, self._options = timeout, options
+        wanted = {"local_sizes": local_sizes, "per_turn": per_turn}
+        self._sizes = {name: value for name, value in wanted.items() if value}
 
     @property
     def tries(self):
@@ -107,7 +110,7 @@ class Strategy:
     def _surface(self, shape_or_file, size, number, progress):
         factor, care = TRIES[number].factor, TRIES[number].care
         made = surface_from_solid(shape_or_file, size if factor == 1.0 else factor * size, self.surface_method,
-                                  care=care, timeout=self._timeout, progress=progress)
+                                  care=care, timeout=self._timeout, progress=progress, **self._sizes)
         return replace(made, tried=number)
 
     def _fill(self, surface, progress, deadline, last):

@@ -57,7 +57,8 @@ def job_of(surface, method="auto", layers=0, order=1, budget=0.0, allow_topologi
     """
     refuse_topological_method(method, allow_topological)
     strategy = Strategy(method, surface.Method, timeout=TIMEOUT, layers=layers, order=order, budget=budget,
-                        pillow=pillow_of(pillow), threads=preferences.value("Threads"), allow_topological=allow_topological)
+                        pillow=pillow_of(pillow), threads=preferences.value("Threads"), allow_topological=allow_topological,
+                        local_sizes=list(surface.LocalSizes), per_turn=surface.PerTurn)
     held = surface_of(surface)
     mark = mark_of(held, method, layers, order, budget, pillow=pillow)
     if not (try_other_surfaces and hasattr(surface.Source, "Shape")):

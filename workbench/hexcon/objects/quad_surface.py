@@ -12,6 +12,7 @@ from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.convert import add_group
 from hexcon.meshing import raising
 from hexcon.quads import METHODS, QuadSurface, surface_from_file, surface_from_object, surface_from_solid
+from hexcon.quads.local_sizes import WAYS
 
 from .parametric import Parametric, fingerprint, is_a, new_mesh_object, set_changed, solid_shape
 
@@ -24,6 +25,10 @@ PROPERTIES = (
     ("App::PropertyString", "Example", "HexCon", "Name of the example surface", "", False),
     ("App::PropertyLength", "Size", "HexCon", "Wanted length of the quads' edges, for a solid", 1.0, False),
     ("App::PropertyEnumeration", "Method", "HexCon", "How a solid's surface is meshed with quads", METHODS, False),
+    ("App::PropertyStringList", "LocalSizes", "HexCon", f"Smaller edges at places of a solid, WHERE=SIZE: {WAYS}", None,
+     False),
+    ("App::PropertyInteger", "PerTurn", "HexCon", "So many quads, about, round a full turn of round faces; 0: as many "
+     "as come by the size", 0, False),
     ("App::PropertyInteger", "Quads", "Result", "Number of quads", 0, True),
     ("App::PropertyBool", "Even", "Result", "The number of quads is even; only then is there a hex mesh", False, True),
     ("App::PropertyInteger", "Loops", "Result", "Number of dual loops", 0, True),
@@ -45,7 +50,7 @@ PROPERTIES = (
 )
 
 
-def job_of(source=None, file="", example="", size=1.0, method="auto"):
+def job_of(source=None, file="", example="", size=1.0, method="auto", local_sizes=(), per_turn=0):
     """(fingerprint, job(progress) -> QuadSurface) of one source; None where there is none.
 
     source is a document object, file the path of a mesh file, example a name that
@@ -56,9 +61,11 @@ def job_of(source=None, file="", example="", size=1.0, method="auto"):
         return fingerprint("mesh", found.points, found.quads), lambda progress: found
     if source is not None:
         shape = solid_shape(source)
-        mark = fingerprint("solid", shape.exportBrepToString(), float(size), method)
+        more = (*map(str, local_sizes), f"{per_turn} a turn") if local_sizes or per_turn else ()
+        mark = fingerprint("solid", shape.exportBrepToString(), float(size), method, *more)
         return mark, lambda progress: surface_from_solid(
-            shape, size, method, timeout=TIMEOUT, progress=raising(progress))
+            shape, size, method, local_sizes=local_sizes, per_turn=per_turn, timeout=TIMEOUT,
+            progress=raising(progress))
     if example:
         return fingerprint("example", example), lambda progress: examples.example(example)
     if file:
@@ -109,7 +116,7 @@ class QuadSurfaceObject(Parametric):
     @staticmethod
     def first_try(obj):
         """job_of for what the object says: the quads of the size asked for."""
-        return job_of(obj.Source, obj.File, obj.Example, obj.Size.Value, obj.Method)
+        return job_of(obj.Source, obj.File, obj.Example, obj.Size.Value, obj.Method, list(obj.LocalSizes), obj.PerTurn)
 
     def store(self, obj, result):
         facts = facts_of(result)
@@ -205,6 +212,7 @@ def add_quad_surface(document, surface, mark, settings, name="QuadSurface"):
 
 def set_settings(obj, settings):
     """Set the inputs by job_of's names."""
-    names = {"source": "Source", "file": "File", "example": "Example", "size": "Size", "method": "Method"}
+    names = {"source": "Source", "file": "File", "example": "Example", "size": "Size", "method": "Method",
+             "local_sizes": "LocalSizes", "per_turn": "PerTurn"}
     for key, value in settings.items():
         setattr(obj, names[key], value)

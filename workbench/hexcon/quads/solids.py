@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Solid to surface: the caller's side of the gmsh subprocess."""
-import math
 import os
 from dataclasses import replace
 
@@ -13,19 +12,26 @@ from hexcon.files.solid import solid_as_brep
 from hexcon.files.solid_choice import choice_of
 from hexcon.gmsh_process import run_job
 
+from . import local_sizes as sizes_by_place
+from .checked_numbers import check_number
 from .gmsh_worker.methods import METHODS
 from .surface import finished
 
 CAD_ENDINGS = (".step", ".stp", ".brep", ".brp", *IGES_ENDINGS)
 
 
-def surface_from_solid(shape_or_file, size, method="auto", *, care=0, timeout=120.0, progress=None):
+def surface_from_solid(shape_or_file, size, method="auto", *, local_sizes=(), per_turn=0, care=0, timeout=120.0,
+                       progress=None):
     """A closed, outward, even QuadSurface on the boundary of one solid.
 
     shape_or_file  a FreeCAD Part.Shape, or the path of a .step .stp .brep .brp file (plain Python will do), or
                    of a .FCStd .iges .igs file (needs FreeCAD), or a files.solid_choice.SolidChoice of one solid in a file
     size           wanted edge length, in the units of the shape (millimetres)
     method         one of METHODS
+    local_sizes    smaller sizes at places: {"Face3": 1.5, "Edge7": 0.5, "Vertex1": 0.3, "point:x,y,z": 1.0,
+                   "ball:x,y,z,radius": 1.0, "box:x,y,z,x,y,z": 1.0}, or texts "Face3=1.5"; away from there elements
+                   grow. Methods that follow no local sizes are left out by auto, and refused otherwise
+    per_turn       so many quads are wanted round a full turn of round faces; 0: as many as come by the size
     care           0: the first good surface; 1, 2, ...: so many of the coarser ways are passed over, for where no hexes
                    could be made in those (subdivided-triangles: smaller at curves and narrow places)
     timeout        seconds for gmsh
@@ -36,11 +42,18 @@ def surface_from_solid(shape_or_file, size, method="auto", *, care=0, timeout=12
     Raises ToolError: BAD_OPTION, BAD_SHAPE, FILE_IO, FILE_FORMAT, FREECAD_MISSING, TOOL_MISSING, TOOL_TIMEOUT,
     TOOL_FAILED, NOT_SWEEPABLE, NOT_BLOCKS, NOT_TRANSFINITE, NOT_ALL_QUAD, ODD_SURFACE, OFF_CAD.
     """
-    _check_options(size, method, timeout)
+    _check_options(size, method, timeout, per_turn)
+    local_sizes = sizes_by_place.parsed(local_sizes)
     source, numbers_of, read_notes = source_of(shape_or_file, progress)
+    job = {"method": method, "size": float(size), "care": int(care), "local_sizes": local_sizes,
+           "per_turn": int(per_turn)}
+
+    def write(folder):
+        path = source(folder)
+        job["local_sizes"] = sizes_by_place.of_the_solid(local_sizes, numbers_of())
+        return path
     try:
-        found = run_job("gmsh_worker", source, {"method": method, "size": float(size), "care": int(care)}, timeout,
-                        progress)
+        found = run_job("gmsh_worker", write, job, timeout, progress)
     except ToolError as fault:
         raise naming_file(fault, shape_or_file) from fault
     notes = [*read_notes, *(str(n) for n in found["notes"])]
@@ -53,22 +66,12 @@ def surface_from_solid(shape_or_file, size, method="auto", *, care=0, timeout=12
                    size=float(size))
 
 
-def _check_options(size, method, timeout):
+def _check_options(size, method, timeout, per_turn):
     if method not in METHODS:
         raise ToolError(f"unknown method {method!r}; there are {', '.join(METHODS)}", FaultCode.BAD_OPTION)
     check_number("size", size)
     check_number("timeout", timeout)
-
-
-def check_number(name, value, at_least_zero=False):
-    """Raise BAD_OPTION unless an option is a finite number above zero, or of at least zero."""
-    try:
-        good = math.isfinite(float(value)) and (float(value) > 0.0 or at_least_zero and float(value) == 0.0)
-    except (TypeError, ValueError):
-        good = False
-    if not good:
-        least = "of at least zero" if at_least_zero else "above zero"
-        raise ToolError(f"{name} must be a finite number {least}, not {value!r}", FaultCode.BAD_OPTION)
+    check_number("per_turn", per_turn, at_least_zero=True)
 
 
 def _check_distance(found, notes):

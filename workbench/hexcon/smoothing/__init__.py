@@ -11,7 +11,8 @@ from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.elements import elements_of
 from hexcon.files import read_mesh
 from hexcon.gmsh_process import run_job
-from hexcon.quads.solids import check_number, naming_file, source_of
+from hexcon.quads.checked_numbers import check_number
+from hexcon.quads.solids import naming_file, source_of
 
 ENOUGH = 0.3        # scaled Jacobian above which, as for method auto, the mean decides
 MEAN_PASSES = 4     # of hexcon_native.optimize

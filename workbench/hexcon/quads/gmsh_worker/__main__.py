@@ -10,6 +10,7 @@ from .fault import WorkerFault
 from .methods import METHOD_TABLE, tried_by_auto
 from .nearness import check_corners, distances
 from .short_edges import short_edges, words
+from .wanted_sizes import wanted_sizes
 
 MOST_QUADS = 5e6    # more is a slip of the keyboard, and would fill the memory
 # Processor time for one call of gmsh, which does not always end: a part of all, and seconds for each quad expected.
@@ -26,6 +27,7 @@ def _run(job, link):
                           f"{MOST_QUADS:.2g} are made")
     link.patience = PATIENCE * job["timeout"] + PATIENCE_OF_QUAD * expected
     check_corners(solid, job["size"])
+    job["sizes"] = wanted_sizes(solid, job["size"], job["local_sizes"], job["per_turn"])
     return _meshed(solid, job, link)
 
 
@@ -34,6 +36,9 @@ def _meshed(solid, job, link):
     if job["method"] != "auto":
         return _made(METHOD_TABLE[job["method"]], solid, job, link, [])
     notes, rows = [], tried_by_auto()
+    if not job["sizes"].even:
+        notes = [f"auto: {row.refused}: it follows no local sizes" for row in rows if "sizes" not in row.takes]
+        rows = [row for row in rows if "sizes" in row.takes]
     for row in rows:
         try:
             return _made(row, solid, job, link, notes)
@@ -45,13 +50,16 @@ def _meshed(solid, job, link):
 
 def _made(row, solid, job, link, notes):
     """The arrays of the mesh by one method of the table; notes: about its choice."""
+    if "sizes" not in row.takes and not job["sizes"].even:
+        raise WorkerFault("BAD_OPTION", f"surface method {row.name} follows no local sizes: "
+                          + ", ".join(one.name for one in METHOD_TABLE.values() if "sizes" in one.takes) + " do")
     cavities = 0 if row.cavities else cad.count_shells(solid) - 1
     if cavities:
         raise WorkerFault(row.refusal, f"the solid has cavities, {cavities} in number")
     solid, left_out = _without_short_edges(solid, job["size"]) if row.leaves_out else (solid, [])
     module, _, function = row.maker.rpartition(".")
     make = getattr(importlib.import_module(f".{module}", __package__), function)
-    offered = {"method": row.name, "care": job["care"], "timeout": job["timeout"]}
+    offered = {"method": row.name, **{name: job[name] for name in ("care", "timeout", "sizes")}}
 
     def arrays(mesh):
         return _arrays(solid, mesh, job["size"], row.name, notes + mesh["notes"] + left_out)
@@ -61,6 +69,8 @@ def _made(row, solid, job, link, notes):
     finally:
         link.over()
     link.progress("check", 0.0)
+    mesh["notes"] += [f"local size of {one['where']}: not below {job['size']:g}, so nothing comes of it"
+                      for one in job["local_sizes"] if one["size"] >= job["size"]]
     return arrays(mesh)
 
 

@@ -4,6 +4,7 @@ import gmsh
 import numpy as np
 
 from .coarse_mesh import CoarseMesh
+from .detail_sizes import count_along
 from .fault import WorkerFault
 
 
@@ -17,14 +18,14 @@ def generate(solid, size, method, algorithm=6, even=False, local=None):
 
     algorithm  gmsh's number of Mesh.Algorithm
     even       every edge gets an even number of intervals, without which a face cannot be recombined to quads only
-    local      a LocalSize to follow
+    local      a SizeField to follow
     """
     gmsh.model.mesh.clear()
     _options(2.0 * size if is_cut(method) else size, algorithm)
     if local is not None:
         gmsh.option.setNumber("Mesh.MeshSizeMin", local.least)
         gmsh.option.setNumber("Mesh.LcIntegrationPrecision", 1e-3)     # 1e-9 asks for a size a million times
-        gmsh.model.mesh.setSizeCallback(local)
+        gmsh.model.mesh.setSizeCallback(local.for_gmsh)
     for face in solid.faces:
         gmsh.model.mesh.removeConstraints([(2, face)])
     for edge in (*solid.edges, *solid.left_out):
@@ -35,7 +36,7 @@ def generate(solid, size, method, algorithm=6, even=False, local=None):
         _make_transfinite(solid, size)
     elif even and method == "blossom":
         for edge in solid.edges:
-            wanted = solid.length(edge) / size if local is None else local.count(solid, edge)
+            wanted = solid.length(edge) / size if local is None else count_along(local, solid, edge)
             gmsh.model.mesh.setTransfiniteCurve(edge, 2 * max(1, int(np.rint(wanted / 2))) + 1)
     if method != "subdivided-triangles":
         for face in solid.faces:

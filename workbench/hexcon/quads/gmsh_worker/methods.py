@@ -14,7 +14,7 @@ class SurfaceMethod:
     label         in a list that people choose from
     purpose       one line, without its full stop
     maker         "module.function" of this package, called with solid, size, link and what `takes` names
-    takes         further arguments of the maker: "method", "care", "timeout"
+    takes         further arguments of the maker: "method", "care", "timeout"; "sizes": it follows local sizes
     turn          when auto tries it, from 1 on; 0: never
     refusal       code of the WorkerFault with which auto goes on to the next; "": any
     refused       how auto tells of that
@@ -53,17 +53,17 @@ _ROWS = (
                   "revolved.surface.revolved_surface", turn=3, refusal="NOT_REVOLVED", refused="not revolved",
                   filled_by="proposal"),
     SurfaceMethod("grid", "grid", "any solid whose features are not much smaller than the elements: a grid of hexes that "
-                  "takes them up", "grid.tries.grid_surface", ("timeout", "care"), turn=4, refused="not gridded",
+                  "takes them up", "grid.tries.grid_surface", ("timeout", "care", "sizes"), turn=4, refused="not gridded",
                   filled_by="proposal"),
     # Hexes inside: 3 a quad on triangles, 10 to 22, and worse ones, where there are coarse quads.
     SurfaceMethod("subdivided", "subdivided quads", "any solid: gmsh's quads and triangles, each cut about its middle",
-                  "whole.whole_surface", ("method",), turn=6, leaves_out=True, filled_by="diced", hexes_a_quad=10),
+                  "whole.whole_surface", ("method", "sizes"), turn=6, leaves_out=True, filled_by="diced", hexes_a_quad=10),
     SurfaceMethod("subdivided-triangles", "subdivided triangles",
-                  "any solid: gmsh's triangles, each cut into three quads", "triangles.triangle_surface", ("care",),
+                  "any solid: gmsh's triangles, each cut into three quads", "triangles.triangle_surface", ("care", "sizes"),
                   turn=5, refused="no subdivided triangles", leaves_out=True, filled_by="diced", hexes_a_quad=3,
                   diced_first=True),
     SurfaceMethod("blossom", "blossom", "any solid, by luck: gmsh's triangles, paired to quads; few and even ones",
-                  "whole.whole_surface", ("method",), filled_by="shelling", hexes_a_quad=4),
+                  "whole.whole_surface", ("method", "sizes"), filled_by="shelling", hexes_a_quad=4),
     SurfaceMethod("transfinite", "transfinite", "solids whose faces all have four sides: grids",
                   "whole.whole_surface", ("method",), filled_by="sheets"),
 )

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Method subdivided-triangles: triangles by gmsh, each cut into three quads."""
 from .corner_room import GOOD, corner_room, room_words
+from .detail_sizes import detail_sizes
 from .fault import WorkerFault
 from .generate import collect, generate
-from .local_size import LocalSize
 
 METHOD = "subdivided-triangles"
 # What the bounds of the local size are multiplied with, one after the other; None: the same size everywhere.
@@ -13,11 +13,11 @@ FRONTAL, MESH_ADAPT = 6, 1
 CROSSING = 2.4      # times the size that thin walls allow
 
 
-def triangle_surface(solid, size, link, care=0):
+def triangle_surface(solid, size, link, sizes=None, care=0):
     """dict with points (V,3), quads (n,4), faces (n,), notes.
 
     Where the even size leaves corners without room, elements are smaller at curves, short edges and narrow places;
-    the first good surface is taken, or the best. link: a Link; care: how many of SCALES are left out. Raises WorkerFault NOT_ALL_QUAD, TOOL_FAILED.
+    the first good surface is taken, or the best. link: a Link; sizes: the SizeField wanted, None: of one size; care: how many of SCALES are left out. Raises WorkerFault NOT_ALL_QUAD, TOOL_FAILED.
     """
     best, last, notes = None, None, []
     scales = SCALES[min(max(care, int(_cross(solid, size))), len(SCALES) - 1):]
@@ -25,7 +25,9 @@ def triangle_surface(solid, size, link, care=0):
         link.progress("mesh", k / len(scales))
         name = "the even size" if scale is None else f"{scale:g} times the sizes of curves and gaps"
         try:
-            local = None if scale is None else LocalSize(solid, 2.0 * size, scale)
+            local = sizes.scaled(2.0) if sizes is not None and not sizes.even else None
+            if scale is not None:
+                local, _ = detail_sizes(solid, 2.0 * size, scale, local)
             mesh = _tried(solid, size, local, link, name)
         except WorkerFault as fault:
             last = fault
@@ -45,7 +47,7 @@ def triangle_surface(solid, size, link, care=0):
 
 def _cross(solid, size):
     """Whether triangles of the even size cut through a thin wall."""
-    return 2.0 * size > CROSSING * LocalSize(solid, 2.0 * size).wall
+    return 2.0 * size > CROSSING * detail_sizes(solid, 2.0 * size)[1]
 
 
 def _tried(solid, size, local, link, name):

@@ -2,9 +2,9 @@
 """Surface meshes of the whole solid by gmsh that need luck: blossom, subdivided, transfinite."""
 from .colouring import shells_are_even, two_colourable
 from .corner_room import corner_room, room_words
+from .detail_sizes import detail_sizes
 from .fault import WorkerFault
 from .generate import collect, generate, is_cut
-from .local_size import LocalSize
 
 # gmsh's numbers of Mesh.Algorithm: the frontal one (6) makes the better quads, but leaves triangles at the narrow
 # corners of plane triangles whatever the size; Delaunay (5) does so less often.
@@ -16,12 +16,12 @@ SMALLER = (0.82, 0.75, 0.7, 0.65, 0.6, 0.55, 0.5)       # of the size, where not
 LEAST_ROOM = 0.05           # sine of the worst corner
 
 
-def whole_surface(solid, size, method, link):
+def whole_surface(solid, size, method, link, sizes=None):
     """dict with points (V,3), quads (n,4), faces (n,), notes.
 
     Sizes next to the wanted one are tried until all are quads, in even number, with two colours for the points (which
     cells need; where the surface has no handles they exist) and room at every corner; if there is none such, the
-    best of those that are quads in even number. link: a Link.
+    best of those that are quads in even number. link: a Link; sizes: the SizeField wanted, None: of one size.
     Raises WorkerFault NOT_ALL_QUAD, ODD_SURFACE, NOT_TRANSFINITE, TOOL_FAILED.
     """
     best, last = None, None
@@ -33,7 +33,7 @@ def whole_surface(solid, size, method, link):
         try:
             if best and best[0] >= (True, 0.0) and one.factor < FACTORS[-2]:
                 break       # such a small size only for want of anything else
-            mesh = _tried(solid, size, method, one, link)
+            mesh = _tried(solid, size, method, one, link, sizes)
         except WorkerFault as fault:
             if fault.code == "NOT_TRANSFINITE" and fault.elements:
                 raise
@@ -75,13 +75,15 @@ def _tries(method):
     return tries + [_Try(factor, algorithm, True) for factor in SMALLER for algorithm in algorithms]
 
 
-def _tried(solid, size, method, one, link):
+def _tried(solid, size, method, one, link, sizes):
     """The mesh of one try; WorkerFault where it is not all quads, or a shell of it odd."""
     if not link.risk(f"{method} by {one}"):
         raise WorkerFault("TOOL_FAILED", f"gmsh crashed, or did not end, on {method} at every size tried from {size:g} on")
     wanted = size * one.factor
     coarse = 2.0 * wanted if method == "subdivided" else wanted
-    local = None if one.scale is None else LocalSize(solid, coarse, one.scale)
+    local = sizes.scaled(coarse / sizes.size) if sizes is not None and not sizes.even else None
+    if one.scale is not None:
+        local, _ = detail_sizes(solid, coarse, one.scale, local)
     try:
         generate(solid, wanted, method, one.algorithm, one.even, local)
     except WorkerFault:

@@ -2,6 +2,7 @@
 """Which cells of a tensor grid are too large: for a size field, and to tell a solid's narrow places apart."""
 import numpy as np
 
+from .fullness import fullness
 from .gaps import KINDS
 from .grid_levels import AROUND
 
@@ -42,8 +43,9 @@ def _apart(a, b, needed):
     return ((way >= needed[:, None]) | (on_planes & (way > 1 - 2 * ON_PLANE))).any(axis=1)
 
 
-def for_field(planes, field, levels=LEVELS):
-    """Cells (m, 3) to be split on each level: those with an edge longer than the field (points -> sizes) allows.
+def for_field(planes, field, solid=None, levels=LEVELS):
+    """Cells (m, 3) to be split on each level: those with an edge longer than the field (points -> sizes) allows; of a
+    solid (SolidRays in the planes' frame) only those that hold some of it.
 
     Asked at middles and corners of cells, of all on the first level and of the parts of split ones on the others.
     """
@@ -54,12 +56,23 @@ def for_field(planes, field, levels=LEVELS):
         corners = np.stack([_at(planes, (cells + t) / 2 ** level) for t in _PROBES], axis=1)
         longest = np.ptp(corners, axis=1).max(axis=1)
         sizes = field(corners.reshape(-1, 3)).reshape(len(cells), len(_PROBES)).min(axis=1)
-        wanted.append(cells[longest > sizes * (1 + 1e-9)])
+        large = np.flatnonzero(longest > sizes * (1 + 1e-9))
+        if solid is not None:
+            eight = corners[large, :8].reshape(-1, 3), np.arange(8 * len(large)).reshape(-1, 8)[:, _VTK]
+            large = large[fullness(*eight, solid) > 0.0]
+        wanted.append(cells[large])
         cells = (2 * wanted[-1][:, None] + _HALVES).reshape(-1, 3)
     return wanted
 
 
+def joined(one, other):
+    """Cells to be split for either reason, level by level."""
+    return [np.unique(np.vstack([w[k] for w in (one, other) if k < len(w)]), axis=0)
+            for k in range(max(len(one), len(other)))]
+
+
 _HALVES = np.stack(np.meshgrid(*[[0, 1]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+_VTK = [0, 4, 6, 2, 1, 5, 7, 3]     # of _HALVES, in the order of a hex's corners
 _PROBES = np.vstack([_HALVES, [[0.5, 0.5, 0.5]]])
 
 

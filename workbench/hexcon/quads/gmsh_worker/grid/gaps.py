@@ -44,8 +44,8 @@ def gaps_of(features, h):
     that the curve does not touch; short curve: its ends; hole: opposite points of a closed curve.
     Cost: O(S log S) for S samples, some nine for each h^2 of the surface.
     """
-    curves = _Samples.of_curves(features, h)
-    surface = _Samples.of_surface(features, h)
+    curves = Samples.of_curves(features, h)
+    surface = Samples.of_surface(features, h)
     parts = [_between_sides(surface, h, inward, kind) for inward, kind in ((True, 0), (False, 1))]
     parts.append(_between_curves(features, curves, h))
     parts.append(_curves_to_faces(features, curves, surface, h))
@@ -55,11 +55,12 @@ def gaps_of(features, h):
     return Gaps(a[near], b[near], kind[near])
 
 
-class _Samples:
-    """points (n, 3), owner (n,): curves or patches; normals (n, 3) of a surface, tangents of curves."""
+class Samples:
+    """points (n, 3), owner (n,): curves or patches; normals (n, 3) of a surface, tangents of curves; area (n,): what
+    each of a surface stands for."""
 
-    def __init__(self, points, owner, normals):
-        self.points, self.owner, self.normals = points, owner, normals
+    def __init__(self, points, owner, normals, area=None):
+        self.points, self.owner, self.normals, self.area = points, owner, normals, area
         self.tree = cKDTree(points) if len(points) else None
 
     @classmethod
@@ -80,7 +81,7 @@ class _Samples:
         corners = features.points[features.triangles]
         longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
         parts = np.clip(np.ceil(longest / (STEP * h)), 1, 200).astype(int)
-        points, which = [], []
+        points, which, share = [], [], []
         for n in np.unique(parts):
             rows = np.flatnonzero(parts == n)
             i, j = (x.ravel() for x in np.meshgrid(np.arange(n), np.arange(n), indexing="ij"))
@@ -89,11 +90,13 @@ class _Samples:
             weights = np.stack([1 - u - v, u, v], axis=1)
             points.append(np.einsum("sk,tkc->tsc", weights, corners[rows]).reshape(-1, 3))
             which.append(np.repeat(rows, len(weights)))
+            share.append(np.full(len(which[-1]), 1.0 / len(weights)))
         which = np.concatenate(which)
         normals = features.normals[which]
+        area = np.concatenate(share) * np.linalg.norm(normals, axis=1) / 2.0
         normals = normals / np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
         patch = np.asarray(features.patch_of_face)[features.triangle_face[which]]
-        return cls(np.vstack(points), patch, normals)
+        return cls(np.vstack(points), patch, normals, area)
 
     def near(self, points, h):
         """(rows of points, samples) closer than REACH h, the nearest ones."""

@@ -10,7 +10,7 @@ from .axes import axes_of
 from .capture_most import capture_most
 from .captured import NotCaptured
 from .cells import cells
-from .cells_to_split import for_gaps
+from .cells_to_split import for_field, for_gaps, joined
 from .fullness import fullness
 from .gaps import gaps_of
 from .gate import Kept, kept
@@ -28,6 +28,7 @@ MOST_CELLS = 3_000_000      # of a grid: what fits into a gigabyte
 GOOD = 0.2              # least scaled Jacobian with which nothing else is tried,
 ENOUGH = 0.3            # and above which what counts is the mean
 MOST_REFINED = 200_000      # and of one whose cells are split
+LONGEST = 1.5           # of the size: edges of cells up to which they are not split, as even steps between planes are
 FINE = 0.95                 # least scaled Jacobian of first places that are taken as they are
 MOST_FOLDED = 0.02          # part of the hexes: with more left folded, passes over them are lost time
 PASSES, MEAN_PASSES = 9, 4  # of hexcon_native.relax
@@ -64,14 +65,15 @@ class Work:
     hexes: int = 0
 
 
-def overlay(features, h, work, report=lambda stage, fraction: None, levels=0):
+def overlay(features, h, work, report=lambda stage, fraction: None, levels=0, sizes=None):
     """The Overlay of elements of size h. Raises NotCaptured where cells or paths do not fit the solid.
 
     features: Features of the solid; work: a Work, added to; report(stage, fraction)
     levels: how often cells may be split in two where the solid is narrower than they are
+    sizes: None, or a SizeField: elements smaller than h where it is smaller than its largest size, by as much
     Linear in the cells, but for sorting.
     """
-    captured, features = _captured(features, h, work, report, levels)
+    captured, features = _captured(features, h, work, report, levels, sizes)
     best, pinched = None, ""
     for inside in (True, False):
         try:
@@ -111,12 +113,12 @@ def _faces_of_quads(mesh, points, features):
     return faces
 
 
-def _captured(features, h, work, report, levels):
+def _captured(features, h, work, report, levels, sizes=None):
     """(CapturedMesh, the Features it has): of the first set of cells that the features fit on."""
     report("cells", 0.0)
     frame = axes_of(features)
-    points, hexes = _grid(features, frame, h, levels)
     rays = SolidRays(features.points @ frame.T, features.triangles)
+    points, hexes = _grid(features, frame, h, levels, sizes, rays)
     neighbours, full = HexNeighbours(hexes), fullness(points @ frame.T, hexes, rays)
     wanted = features.cad.tessellation.shells, features.handles()
     fault = NotCaptured("cells", "no set of cells is one body")
@@ -135,18 +137,22 @@ def _captured(features, h, work, report, levels):
     raise fault
 
 
-def _grid(features, frame, h, levels):
+def _grid(features, frame, h, levels, sizes, rays):
+    """(points, hexes) of a tensor grid of size h, its cells split for levels and sizes."""
     planes = planes_of(features, frame, h)
     count = np.prod([float(len(p)) for p in planes])
     if count > MOST_CELLS:
         raise NotCaptured("size", f"{count:.2g} cells; at most {MOST_CELLS:.2g} are laid")
-    if not levels:
+    even = sizes is None or sizes.even
+    if not levels and even:
         return grid_hexes(planes, frame)
     planes = padded(planes)
-    gaps = gaps_of(features, h).turned(frame)
-    wanted, _ = for_gaps(planes, gaps, h, levels)
+    wanted = [] if even else for_field(planes, lambda at: LONGEST * h / sizes.size * sizes(at @ frame), rays)
+    if levels:
+        gaps = gaps_of(features, h).turned(frame)
+        wanted = joined(wanted, for_gaps(planes, gaps, h, levels)[0])
     blocks, dropped = balanced_levels([len(p) - 1 for p in planes], wanted, MOST_REFINED)
-    if not blocks:
+    if (not blocks and (levels or dropped)) or (dropped and not even):
         raise NotCaptured("size", f"more than {MOST_REFINED} hexes, were cells split" if dropped else
                           "nothing narrower than the elements, where cells could be split")
     points, hexes = refined_grid(planes, blocks)

@@ -8,6 +8,20 @@ MOST = 5            # that are named
 
 def too_small(features, h):
     """(words, CAD faces) of short curves and narrow patches, smallest first; ("", []) where there are none."""
+    found = details(features, ENOUGH * h)
+    if not found:
+        return "", []
+    return f"small for this size: {named(found)}; a size of {found[0][0] / ENOUGH:.3g} would hold them all", \
+        sorted(set().union(*(one[2] for one in found[:MOST])))
+
+
+def named(found):
+    """Some of `details` in words."""
+    return ", ".join(one[1] for one in found[:MOST]) + (f" and {len(found) - MOST} more" if len(found) > MOST else "")
+
+
+def details(features, limit):
+    """[(length or width, words, CAD faces)] of curves and patches below a limit, smallest first."""
     found = []
     for curve in features.curves:
         edges = [features.edges[k] for k in curve.edges]
@@ -19,9 +33,4 @@ def too_small(features, h):
         if border > 0.0:
             width = 2.0 * patch.area / border
             found.append((width, f"Face{patch.faces[0]} about {width:.3g} wide", set(patch.faces)))
-    found = sorted((one for one in found if one[0] < ENOUGH * h), key=lambda one: (one[0], one[1]))
-    if not found:
-        return "", []
-    words = ", ".join(one[1] for one in found[:MOST]) + (f" and {len(found) - MOST} more" if len(found) > MOST else "")
-    return f"small for this size: {words}; a size of {found[0][0] / ENOUGH:.3g} would hold them all", \
-        sorted(set().union(*(one[2] for one in found[:MOST])))
+    return sorted((one for one in found if one[0] < limit), key=lambda one: (one[0], one[1]))

@@ -7,8 +7,10 @@ import hexcon_native as hn
 
 from ..fault import WorkerFault
 from .captured import NotCaptured
+from .cells_to_split import LEVELS
 from .features import EVERY_EDGE, SMOOTH, Cad, Features
-from .overlay import GOOD, Work, overlay
+from .overlay import GOOD, LONGEST, Work, overlay
+from .quad_count import quad_count_words
 from .too_small import too_small
 
 THIN = 0.45             # smaller parts of the size are tried only where nothing else came out
@@ -37,10 +39,11 @@ TRIES = (Try(1.0, EVERY_EDGE), Try(1.0), Try(1.0, slivers=True), Try(0.8, EVERY_
          Try(1.0, EVERY_EDGE, levels=1), Try(1.0, levels=1), Try(0.64), Try(0.5, slivers=True), Try(0.4), Try(0.3))
 
 
-def grid_surface(solid, size, link, timeout, care=0):
+def grid_surface(solid, size, link, timeout, sizes=None, care=0):
     """Quads on the solid and hexes inside, of a grid laid over it.
 
     timeout: seconds for all of the surface, of which others may need a part
+    sizes: the SizeField wanted, None: of one size
     care: above 0 another size was tried before, and all of TRIES with it: it is refused at once
     Returns a dict of points (V,3), quads (n,4), faces (n,), hexes (H,8) and notes. Raises WorkerFault NOT_GRIDDED.
     """
@@ -60,7 +63,7 @@ def grid_surface(solid, size, link, timeout, care=0):
         if features is None:
             continue
         try:
-            found = overlay(features, size * one.factor, work, _reporting(link, number), one.levels)
+            found = overlay(features, size * one.factor, work, _reporting(link, number), one.levels, sizes)
         except (NotCaptured, ValueError, hn.HexconError) as fault:
             faults.append(f"{one}: {fault}")
             continue
@@ -75,7 +78,10 @@ def grid_surface(solid, size, link, timeout, care=0):
     faults += [small] if small else []
     if best is None:
         raise WorkerFault("NOT_GRIDDED", "; ".join(faults), faces)
-    return _surface(*best, faults)
+    if sizes is not None and sizes.least < size / 2 ** LEVELS / LONGEST:
+        faults.append(f"cells are split {LEVELS} times at most: sizes below {size / 2 ** LEVELS:.3g} are not reached")
+    counted = quad_count_words(len(best[0].mesh.quads), _known(cad, SMOOTH, frozenset(), known), size, sizes)
+    return _surface(*best, faults + ([counted] if counted else []))
 
 
 def _reporting(link, number):

@@ -8,42 +8,32 @@ import gmsh
 import numpy as np
 from scipy.spatial import cKDTree
 
+from .size_field import SizeField
 from .walls import Walls
 
 PER_TURN = 10       # least number of elements round a full circle
 WALL = 1.0          # at most so many times what a thin wall behind a curved face allows, whatever the scale
-GROWTH = 0.6       # of the size, for each unit of distance
 LEAST = 0.04        # of the wanted size: no bound of curves and gaps goes below
 LEAST_EDGE = 0.0005  # and none of short edges, which take few elements however short they are
 SAMPLES = 4000      # at most so many points on one edge
 
 
-class LocalSize:
-    """size(points) for a Solid, at most `size`; .least: the smallest bound anywhere; .wall: of thin walls, at scale 1.
+def detail_sizes(solid, size, scale=1.0, wanted=None):
+    """(SizeField of a Solid, the smallest bound of thin walls at scale 1): at most `size`, and what is `wanted`, a
+    SizeField.
 
-    Cost: O(S log S) for S sample points on the edges, spaced by a third of the bounds; a call O(log S) a point.
+    Cost: O(S log S) for S sample points on the edges, spaced by a third of the bounds.
     """
+    points, bounds, wall = _bounds(solid, size, scale)
+    field = SizeField(size, points, bounds)
+    return (field if wanted is None else field.joined(wanted)), wall
 
-    def __init__(self, solid, size, scale=1.0):
-        self.size = size
-        points, bounds, self.wall = _bounds(solid, size, scale)
-        low = bounds < size
-        self._points, self._bounds = points[low], _graded(points[low], bounds[low], size)
-        self._tree = cKDTree(self._points) if low.any() else None
-        self.least = float(self._bounds.min(initial=size))
 
-    def count(self, solid, edge):
-        """How many elements an edge of the solid has at these sizes."""
-        middles = (np.arange(64) + 0.5) / 64
-        sizes = [self(1, edge, *point) for point in solid.edge_points(edge, middles)]
-        return solid.length(edge) * float(np.mean(1.0 / np.array(sizes)))
-
-    def __call__(self, _dim, _tag, x, y, z, *_more):
-        """For gmsh's setSizeCallback."""
-        if self._tree is None:
-            return self.size
-        distance, near = self._tree.query((x, y, z))
-        return min(self.size, float(self._bounds[near] + GROWTH * distance))
+def count_along(field, solid, edge):
+    """How many elements an edge of the solid has by a SizeField."""
+    middles = (np.arange(64) + 0.5) / 64
+    sizes = [field.for_gmsh(1, edge, *point) for point in solid.edge_points(edge, middles)]
+    return solid.length(edge) * float(np.mean(1.0 / np.array(sizes)))
 
 
 def _bounds(solid, size, scale):
@@ -105,16 +95,3 @@ def _face_samples(face, walls, count=9):
         bound = np.where(curvature > 1e-12, 2 * np.pi / PER_TURN / curvature, np.inf)
     good = np.isfinite(points).all(axis=1) & ~np.isnan(bound)
     return points[good], bound[good], walls.bounds(face, points[good], curvature[good])
-
-
-def _graded(points, bounds, size):
-    """Bounds lowered until none exceeds another's by more than GROWTH times their distance."""
-    if not len(points):
-        return bounds
-    tree, bounds = cKDTree(points), bounds.copy()
-    for k in np.argsort(bounds):
-        reach = (size - bounds[k]) / GROWTH
-        near = np.array(tree.query_ball_point(points[k], reach), int)
-        allowed = bounds[k] + GROWTH * np.linalg.norm(points[near] - points[k], axis=1)
-        bounds[near] = np.minimum(bounds[near], allowed)
-    return bounds
