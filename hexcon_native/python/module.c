@@ -247,16 +247,19 @@ static PyObject *certify(PyObject *module, PyObject *arguments) {
   (void)module;
   array_copy points, hexes, quads;
   PyObject *callback;
-  if (!PyArg_ParseTuple(arguments, "O&O&O&O", copy_points, &points, copy_hexes, &hexes, copy_quads,
-                        &quads, &callback))
+  int order;
+  if (!PyArg_ParseTuple(arguments, "O&O&O&iO", copy_points, &points, copy_numbers, &hexes,
+                        copy_quads, &quads, &order, &callback))
     return NULL;
   run r;
   PyObject *result = NULL;
   if (run_begin(&r, callback)) {
     hexcon_certificate certificate;
+    const size_t nodes = order == 2 ? 20 : 8;
     run_release(&r);
-    hexcon_status status = hexcon_certify(r.context, points.items, points.count, hexes.items,
-                                          hexes.count, quads.items, quads.count, &certificate);
+    hexcon_status status = (order == 2 ? hexcon_certify_second_order : hexcon_certify)(
+        r.context, points.items, points.count, hexes.items, hexes.count / nodes, quads.items,
+        quads.count, &certificate);
     run_acquire(&r);
     if (!status) {
       result = certificate_as_dict(&certificate);
@@ -514,7 +517,7 @@ static PyMethodDef methods[] = {
     {"pairing_of_crossings", pairing_of_crossings, METH_VARARGS,
      "pairing_of_crossings(point_count, quads, progress) -> bytearray of int32"},
     {"quality", quality, METH_VARARGS, "quality(points, hexes) -> bytearray of float64"},
-    {"certify", certify, METH_VARARGS, "certify(points, hexes, quads, progress) -> dict"},
+    {"certify", certify, METH_VARARGS, "certify(points, hexes, quads, order, progress) -> dict"},
     {"morph", morph, METH_VARARGS,
      "morph(positions, hexes, fixed, goal, boundary_only, target, progress) -> reached"},
     {"optimize", optimize, METH_VARARGS,

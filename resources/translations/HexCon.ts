@@ -409,6 +409,30 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{edges} edges curved along edges of the solid, {faces} on its faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} edges inside bend along, so that no hex folds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} edges of the boundary found no place on the solid: they are straight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} hexes would fold, and keep part of their curvature: {hexes}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>volume {volume:+.2g} of the solid's, area {area:+.2g}; curved faces at most {chord:.3g} off it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hex {number} to {part:.2f}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>an odd number: no hex mesh has such a boundary</source>
         <translation type="unfinished"></translation>
     </message>
@@ -489,6 +513,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Curved edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Tried</source>
         <translation type="unfinished"></translation>
     </message>
@@ -529,7 +557,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>some edges are curved; hexes were judged by their corners, as if their edges were straight</source>
+        <source>{count} hexes have curved edges, and were judged with them</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -621,15 +649,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>every Jacobian would be positive with straight edges</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the mesh is proper</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>nothing overlaps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing overlaps, but perhaps within the sag of curved boundary edges</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -926,6 +954,18 @@
     </message>
     <message>
         <source>Grid: putting layers in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curved edges: places on the solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curved edges: bending what would fold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curved edges: volume, area and distance from the solid</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

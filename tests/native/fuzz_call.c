@@ -521,6 +521,13 @@ static hexcon_status call_raise_order(call *c) {
   for (size_t i = 0; i < 20 * c->in.hex_count; i++)
     must(raised.hexes[i] >= 0 && (size_t)raised.hexes[i] < raised.point_count,
          "a hex of order 2 names no point");
+  hexcon_certificate certificate;
+  status = hexcon_certify_second_order(c->context, raised.points, raised.point_count, raised.hexes,
+                                       c->in.hex_count, c->quads, c->in.quad_count, &certificate);
+  must(!status || !certificate.nonpositive, "a certificate after an error");
+  for (size_t i = 0; !status && i < certificate.nonpositive_count; i++)
+    must((size_t)certificate.nonpositive[i] < c->in.hex_count, "no such hex is not positive");
+  hexcon_certificate_free(c->context, &certificate);
   hexcon_second_order_free(c->context, &raised);
   return status;
 }

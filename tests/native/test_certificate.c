@@ -414,8 +414,87 @@ static void faults(void **state) {
   hexcon_context_free(context);
 }
 
+static hexcon_certificate certify_second_order(hexcon_context *context, const test_mesh *mesh,
+                                               const hexcon_second_order *raised) {
+  hexcon_certificate c;
+  assert_int_equal(hexcon_certify_second_order(context, raised->points, raised->point_count,
+                                               raised->hexes, mesh->hex_count, mesh->quads,
+                                               mesh->quad_count, &c),
+                   HEXCON_OK);
+  return c;
+}
+
+static void expect_second_order(hexcon_context *context, const test_mesh *mesh,
+                                const hexcon_second_order *raised, bool proper,
+                                size_t nonpositive) {
+  hexcon_certificate c = certify_second_order(context, mesh, raised);
+  assert_true(c.conforming && c.boundary_exact);
+  assert_int_equal(c.proper, proper);
+  assert_int_equal(c.nonpositive_count, nonpositive);
+  assert_int_equal(c.certified, proper && nonpositive == 0);
+  for (size_t i = 0; i < nonpositive; i++)
+    assert_witness(true, c.witnesses + 3 * i);
+  hexcon_certificate_free(context, &c);
+}
+
+/** Two cubes: middle nodes at a quarter of an edge fold both hexes; one node for two edges, two for
+ * one, or a corner, let them meet improperly. */
+static void second_order(void **state) {
+  (void)state;
+  test_memory memory = {0};
+  hexcon_context *context = hexcon_context_new_with(test_reallocate, &memory);
+  test_mesh mesh = make_box(2, 1, 1);
+  hexcon_second_order raised;
+  assert_int_equal(hexcon_raise_order(context, mesh.points, mesh.point_count, mesh.hexes,
+                                      mesh.hex_count, &raised),
+                   HEXCON_OK);
+  expect_second_order(context, &mesh, &raised, true, 0);
+  int32_t *first = raised.hexes, *second = raised.hexes + 20;
+  int32_t shared = -1;
+  for (int i = 8; i < 20; i++)
+    for (int j = 8; j < 20; j++)
+      shared = first[i] == second[j] ? first[i] : shared;
+  assert_true(shared >= 0);
+  double *middle = raised.points + 3 * (size_t)shared, saved[3];
+  memcpy(saved, middle, sizeof saved);
+  middle[0] += 0.2; /* both hexes can bear it */
+  expect_second_order(context, &mesh, &raised, true, 0);
+  middle[0] = saved[0];
+  for (int k = 1; k < 3; k++)
+    middle[k] += middle[k] == 0.5 ? 0.3 : 0;
+  expect_second_order(context, &mesh, &raised, true, 2);
+  memcpy(middle, saved, sizeof saved);
+  int32_t before = first[8];
+  first[8] = first[9];
+  expect_second_order(context, &mesh, &raised, false, 1);
+  first[8] = first[0];
+  expect_second_order(context, &mesh, &raised, false, 1);
+  first[8] = before;
+  for (int i = 8; i < 20; i++)
+    if (first[i] == shared) { /* a twin of the shared node, at its place */
+      memcpy(raised.points + 3 * (size_t)first[8], saved, sizeof saved);
+      first[i] = first[8];
+      first[8] = shared;
+      memcpy(middle, saved, sizeof saved);
+      break;
+    }
+  hexcon_certificate c = certify_second_order(context, &mesh, &raised);
+  assert_true(!c.proper && !c.certified && c.improper_count > 0);
+  hexcon_certificate_free(context, &c);
+  raised.hexes[39] = (int32_t)raised.point_count;
+  assert_int_equal(hexcon_certify_second_order(context, raised.points, raised.point_count,
+                                               raised.hexes, mesh.hex_count, mesh.quads,
+                                               mesh.quad_count, &c),
+                   HEXCON_INDEX_OUT_OF_RANGE);
+  hexcon_second_order_free(context, &raised);
+  hexcon_context_free(context);
+  assert_int_equal(memory.live, 0);
+  test_mesh_free(&mesh);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
+      cmocka_unit_test(second_order),
       cmocka_unit_test(good_meshes),
       cmocka_unit_test(other_topologies),
       cmocka_unit_test(pinched),

@@ -236,6 +236,24 @@ static hexcon_status call_raise_order(hexcon_context *context, material *m) {
   return status;
 }
 
+static hexcon_status call_certify_second_order(hexcon_context *context, material *m) {
+  hexcon_second_order raised;
+  hexcon_status status = hexcon_raise_order(context, m->swept.points, m->swept.point_count,
+                                            m->swept.hexes, m->swept.hex_count, &raised);
+  hexcon_certificate c = {0};
+  if (!status) {
+    raised.hexes[8] = raised.hexes[9]; /* some are improper, some are not positive */
+    status =
+        hexcon_certify_second_order(context, raised.points, raised.point_count, raised.hexes,
+                                    m->swept.hex_count, m->swept.quads, m->swept.quad_count, &c);
+    if (status)
+      assert_true(!c.nonpositive && !c.improper && !c.witnesses);
+  }
+  hexcon_certificate_free(context, &c);
+  hexcon_second_order_free(context, &raised);
+  return status;
+}
+
 static hexcon_status call_mesh(hexcon_context *context, material *m) {
   return mesh_of(context, &m->swept, 1);
 }
@@ -420,6 +438,7 @@ static const struct {
              {"morph", call_morph},
              {"morph boundary", call_morph_boundary},
              {"raise order", call_raise_order},
+             {"certify second order", call_certify_second_order},
              {"mesh", call_mesh},
              {"mesh second order", call_mesh_second_order},
              {"mesh twisted", call_mesh_twisted},

@@ -250,15 +250,18 @@ def test_check_names_the_inverted_hex(tmp_path, order):
     assert "not positive  hexes 1\n" in done.stdout + "\n"
 
 
-def test_check_does_not_prove_curved_hexes(tmp_path):
+def test_check_proves_curved_hexes(tmp_path):
+    """An edge of the third hex alone is bent a little, then so far that it folds."""
     from hexcon.femmesh import elements_of
     curved = elements_of(block(3, 1, 1), 2)
-    curved.points[curved.hexes[2, 9]] += (0.0, 0.0, 0.03)  # an edge of the third hex alone
-    files.write(curved, tmp_path / "m.msh")
-    found = facts("check", tmp_path / "m.msh", status=3)
-    assert found["curved"] == [2] and not found["certified"]
+    for bend, status in ((0.03, 0), (1.2, 3)):
+        curved.points[curved.hexes[2, 9]] += (0.0, 0.0, bend)
+        files.write(curved, tmp_path / "m.msh")
+        found = facts("check", tmp_path / "m.msh", status=status)
+        assert found["curved"] == [2] and found["certified"] is (status == 0)
+        assert found["certificate"]["nonpositive"] == ([2] if status else [])
     done = hexcon("check", tmp_path / "m.msh")
-    assert "curved        hexes 2" in done.stdout and "straight: the proof" not in done.stdout
+    assert "curved        hexes 2" in done.stdout and "not positive  hexes 2" in done.stdout
 
 
 def test_info(tmp_path):

@@ -13,6 +13,7 @@ FLOORS = (
     ("femmesh", "tetrahedra"),
     ("files",),
     ("quads",),
+    ("curving",),
     ("calculix", "examples", "inspection", "judging", "meshing", "smoothing"),
     ("pictures",),
     ("objects",),

@@ -16,7 +16,7 @@ from hexcon import answers, child, disk, preferences
 from hexcon.errors import FaultCode, ToolError
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-WORKERS = [os.path.join(HERE, *name) for name in (("quads",), ("tetrahedra",), ("smoothing",), ("files", "workers"))]  # packages
+WORKERS = [os.path.join(HERE, *name) for name in (("quads",), ("tetrahedra",), ("smoothing",), ("curving",), ("files", "workers"))]  # packages
 CORE = os.path.dirname(os.path.dirname(os.path.abspath(hexcon_native.__file__)))    # which the grid asks as well
 # HXT's work depends on the order of addresses in memory: with these it is nearly always the same from run to run.
 SAME_MEMORY = {"PYTHONHASHSEED": "0", "MALLOC_MMAP_THRESHOLD_": "1000000000", "MALLOC_TOP_PAD_": "268435456"}
@@ -58,7 +58,7 @@ def _has_gmsh(python):
 def run_job(worker, write_input, job, timeout, progress=None):
     """Mesh in a subprocess; returns the arrays of result.npz as a dict.
 
-    worker       name of the package that is run with -m: gmsh_worker, tetrahedra_worker or smoothing_worker
+    worker       name of the package that is run with -m: gmsh_worker, tetrahedra_worker, smoothing_worker or curving_worker
     write_input  callable(folder) -> path of the file to mesh, in the temporary folder or anywhere
     job          dict of what else the worker wants
     timeout      seconds, for the subprocess alone

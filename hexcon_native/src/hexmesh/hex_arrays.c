@@ -8,16 +8,28 @@
 /** Twelve edges a hex get an id of their own. */
 static const size_t max_hexes = CONTEXT_MAX_COUNT / 12;
 
-hexcon_status check_hex_arrays(hexcon_context *context, const double *points, size_t point_count,
-                               const int32_t *hexes, size_t hex_count) {
+static hexcon_status check_hexes_of(hexcon_context *context, const double *points,
+                                    size_t point_count, const int32_t *hexes, size_t hex_count,
+                                    size_t nodes) {
   if (hex_count == 0)
     return context_fail(context, HEXCON_EMPTY, "the mesh has no hexes");
   if (hex_count > max_hexes || point_count > CONTEXT_MAX_COUNT)
     return context_fail(context, HEXCON_TOO_LARGE,
                         "%zu hexes on %zu points are more than 32-bit ids hold (%zu hexes)",
                         hex_count, point_count, max_hexes);
-  hexcon_status status = check_ids(context, point_count, hexes, hex_count, 8, "hexes");
+  hexcon_status status = check_ids(context, point_count, hexes, hex_count, nodes, "hexes");
   return status ? status : check_points(context, points, point_count, DBL_MAX);
+}
+
+hexcon_status check_hex_arrays(hexcon_context *context, const double *points, size_t point_count,
+                               const int32_t *hexes, size_t hex_count) {
+  return check_hexes_of(context, points, point_count, hexes, hex_count, 8);
+}
+
+hexcon_status check_second_order_arrays(hexcon_context *context, const double *points,
+                                        size_t point_count, const int32_t *hexes,
+                                        size_t hex_count) {
+  return check_hexes_of(context, points, point_count, hexes, hex_count, 20);
 }
 
 hexcon_status check_hex_corners(hexcon_context *context, const int32_t *hexes, size_t hex_count) {

@@ -9,6 +9,10 @@
 hexcon_status check_hex_arrays(hexcon_context *context, const double *points, size_t point_count,
                                const int32_t *hexes, size_t hex_count);
 
+/** The same of hexes of 20 nodes. */
+hexcon_status check_second_order_arrays(hexcon_context *context, const double *points,
+                                        size_t point_count, const int32_t *hexes, size_t hex_count);
+
 /** REPEATED_VERTEX: a hex with a corner twice. Linear. */
 hexcon_status check_hex_corners(hexcon_context *context, const int32_t *hexes, size_t hex_count);
 

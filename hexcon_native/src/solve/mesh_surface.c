@@ -347,6 +347,24 @@ static hexcon_status fill_by_method(hexcon_context *context, const surface *s,
   return status;
 }
 
+/** The mesh with straight edges that have points in their middles, which are rounded: so it is
+ * proved again. */
+static hexcon_status make_second_order(hexcon_context *context, const hexcon_mesh_options *options,
+                                       hexcon_mesh *mesh) {
+  double start = mesh_clock();
+  hexcon_status status = mesh_raise_order(context, mesh);
+  if (!status && mesh->checked && !mesh->topological) {
+    hexcon_certificate_free(context, &mesh->certificate);
+    status = certificate_make_second_order(context, mesh->points, mesh->point_count, mesh->hexes,
+                                           mesh->hex_count, mesh->quads, mesh->quad_count,
+                                           &mesh->certificate);
+    if (!status)
+      status = judge(context, options, mesh);
+  }
+  mesh_note_seconds(mesh, "second order", start);
+  return status;
+}
+
 static hexcon_status fill_surface(hexcon_context *context, const surface *s,
                                   const hexcon_mesh_options *options, hexcon_mesh *mesh) {
   hexcon_mesh_options proving = *options;
@@ -356,12 +374,7 @@ static hexcon_status fill_surface(hexcon_context *context, const surface *s,
                              : fill_by_method(context, s, options, mesh);
   if (!status)
     status = judge(context, options, mesh);
-  if (!status && options->order == 2) {
-    double start = mesh_clock();
-    status = mesh_raise_order(context, mesh);
-    mesh_note_seconds(mesh, "second order", start);
-  }
-  return status;
+  return status || options->order != 2 ? status : make_second_order(context, options, mesh);
 }
 
 /** The points of an odd closed path are listed: say what it means for this body. */

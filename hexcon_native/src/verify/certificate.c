@@ -5,9 +5,11 @@
 #include <string.h>
 
 #include "bodies.h"
+#include "curved_jacobian.h"
 #include "embedding/embedding.h"
 #include "hexmesh/hex_arrays.h"
 #include "jacobian_sign.h"
+#include "middle_nodes.h"
 #include "proper.h"
 #include "surface/checks.h"
 #include "topology.h"
@@ -38,20 +40,39 @@ static hexcon_status add_suspect(hexcon_context *context, suspects *list, int32_
   return status;
 }
 
-static hexcon_status check_jacobians(hexcon_context *context, const double *points,
-                                     const int32_t *hexes, size_t hex_count,
+/** What is judged: hexes of 8 nodes, or of 20, and then their corners besides. */
+typedef struct judged {
+  const double *points;
+  size_t point_count, hex_count;
+  const int32_t *corners; /* [hex_count][8] */
+  const int32_t *nodes;   /* [hex_count][20]; NULL of hexes of 8 nodes */
+} judged;
+
+/** @param room  curved_jacobian_room() bytes, for hexes of 20 nodes */
+static jacobian_sign prove_hex(const judged *mesh, size_t hex, void *room, double witness[3]) {
+  if (!mesh->nodes)
+    return prove_jacobian_sign_at(mesh->points, mesh->corners + 8 * hex, witness);
+  double nodes[20][3];
+  for (size_t n = 0; n < 20; n++)
+    memcpy(nodes[n], mesh->points + 3 * (size_t)mesh->nodes[20 * hex + n], sizeof nodes[n]);
+  return prove_curved_jacobian_sign(nodes, room, witness);
+}
+
+static hexcon_status check_jacobians(hexcon_context *context, const judged *mesh,
                                      hexcon_certificate *certificate) {
   suspects list = {0};
-  hexcon_status status = HEXCON_OK;
-  for (size_t h = 0; !status && h < hex_count; h++) {
+  void *room = context_allocate(context, mesh->nodes ? curved_jacobian_room() : 1, 1);
+  hexcon_status status = room ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
+  for (size_t h = 0; !status && h < mesh->hex_count; h++) {
     double witness[3];
-    jacobian_sign sign = prove_jacobian_sign_at(points, hexes + 8 * h, witness);
+    jacobian_sign sign = prove_hex(mesh, h, room, witness);
     if (sign != JACOBIAN_POSITIVE)
       status = add_suspect(context, &list, (int32_t)h, witness);
     certificate->undecided_count += sign == JACOBIAN_UNDECIDED;
     if (!status && h % PROOFS == 0)
-      status = context_progress(context, STAGE_JACOBIANS, (double)h / (double)hex_count);
+      status = context_progress(context, STAGE_JACOBIANS, (double)h / (double)mesh->hex_count);
   }
+  context_free(context, room);
   certificate->nonpositive = list.hexes.ids;
   certificate->nonpositive_count = list.hexes.count;
   certificate->witnesses = list.witnesses;
@@ -75,21 +96,60 @@ static hexcon_status check_embedding(hexcon_context *context, const double *poin
   return status;
 }
 
-hexcon_status certificate_make(hexcon_context *context, const double *points, size_t point_count,
-                               const int32_t *hexes, size_t hex_count, const int32_t *quads,
-                               size_t quad_count, hexcon_certificate *certificate) {
-  memset(certificate, 0, sizeof *certificate);
+/** Middle nodes after corners: hexes at fault join those that meet another improperly. */
+static hexcon_status check_middle_nodes(hexcon_context *context, const judged *mesh,
+                                        hexcon_certificate *certificate) {
+  id_list list = {certificate->improper, certificate->improper_count, certificate->improper_count};
   hexcon_status status =
-      topology_check(context, hexes, hex_count, point_count, quads, quad_count, certificate);
+      middle_nodes_check(context, mesh->nodes, mesh->hex_count, mesh->point_count, &list);
+  certificate->improper = list.ids;
+  certificate->improper_count = list.count;
+  certificate->proper = list.count == 0;
+  return status;
+}
+
+static hexcon_status judge(hexcon_context *context, const judged *mesh, const int32_t *quads,
+                           size_t quad_count, hexcon_certificate *certificate) {
+  memset(certificate, 0, sizeof *certificate);
+  hexcon_status status = topology_check(context, mesh->corners, mesh->hex_count, mesh->point_count,
+                                        quads, quad_count, certificate);
+  if (!status && mesh->nodes)
+    status = check_middle_nodes(context, mesh, certificate);
   if (!status)
-    status = check_jacobians(context, points, hexes, hex_count, certificate);
+    status = check_jacobians(context, mesh, certificate);
   if (!status)
-    status = check_embedding(context, points, point_count, quads, quad_count, certificate);
+    status =
+        check_embedding(context, mesh->points, mesh->point_count, quads, quad_count, certificate);
   certificate->certified = certificate->conforming && certificate->proper &&
                            certificate->boundary_exact && certificate->nonpositive_count == 0 &&
                            certificate->embedding.embedded == HEXCON_EMBEDDED_YES;
   if (status)
     hexcon_certificate_free(context, certificate);
+  return status;
+}
+
+hexcon_status certificate_make(hexcon_context *context, const double *points, size_t point_count,
+                               const int32_t *hexes, size_t hex_count, const int32_t *quads,
+                               size_t quad_count, hexcon_certificate *certificate) {
+  const judged mesh = {points, point_count, hex_count, hexes, NULL};
+  return judge(context, &mesh, quads, quad_count, certificate);
+}
+
+hexcon_status certificate_make_second_order(hexcon_context *context, const double *points,
+                                            size_t point_count, const int32_t *hexes,
+                                            size_t hex_count, const int32_t *quads,
+                                            size_t quad_count, hexcon_certificate *certificate) {
+  memset(certificate, 0, sizeof *certificate);
+  int32_t *corners = context_allocate(context, 8 * hex_count, sizeof *corners);
+  if (!corners)
+    return HEXCON_OUT_OF_MEMORY;
+  for (size_t h = 0; h < hex_count; h++)
+    memcpy(corners + 8 * h, hexes + 20 * h, 8 * sizeof *corners);
+  const judged mesh = {points, point_count, hex_count, corners, hexes};
+  hexcon_status status = check_hex_corners(context, corners, hex_count);
+  if (!status)
+    status = judge(context, &mesh, quads, quad_count, certificate);
+  context_free(context, corners);
   return status;
 }
 
@@ -115,6 +175,21 @@ hexcon_status hexcon_certify(hexcon_context *context, const double *points, size
   if (!status)
     status = certificate_make(context, points, point_count, hexes, hex_count, quads, quad_count,
                               certificate);
+  return status;
+}
+
+hexcon_status hexcon_certify_second_order(hexcon_context *context, const double *points,
+                                          size_t point_count, const int32_t *hexes,
+                                          size_t hex_count, const int32_t *quads, size_t quad_count,
+                                          hexcon_certificate *certificate) {
+  context_clear(context);
+  memset(certificate, 0, sizeof *certificate);
+  hexcon_status status = check_second_order_arrays(context, points, point_count, hexes, hex_count);
+  if (!status)
+    status = check_quad_ids(context, point_count, quads, quad_count);
+  if (!status)
+    status = certificate_make_second_order(context, points, point_count, hexes, hex_count, quads,
+                                           quad_count, certificate);
   return status;
 }
 

@@ -13,6 +13,7 @@ from ..errors import FaultCode, ToolError
 from ..examples import example
 from ..files import WRITERS, check_method_for, ending_of, read_mesh, shown, write
 from ..files.solid_choice import SolidChoice
+from ..judging.curved import curved_hexes, of_curving
 from ..judging.fillable import fillable
 from ..judging.lengths import lengths_of
 from ..judging.report import check_mesh
@@ -26,12 +27,12 @@ SOLID_ENDINGS = (*CAD_ENDINGS, ".fcstd")
 EXAMPLE = "example:"  # what an input starts with that is no file but an example's name
 
 
-def _certificate_line(certificate, order=1):
+def _certificate_line(certificate, curved=False):
     if certificate is None:
         return "certificate   not checked"
     if certificate.certified:
-        straight = " (edges are straight: the proof holds for order 2 as well)" if order == 2 else ""
-        return f"certificate   every Jacobian proved positive, proper, boundary exact, nothing overlaps{straight}"
+        sag = ", but perhaps within the sag of curved boundary edges" if curved else ""
+        return f"certificate   every Jacobian proved positive, proper, boundary exact, nothing overlaps{sag}"
     return (f"certificate   NOT certified: conforming {certificate.conforming}, proper "
             f"{certificate.proper}, boundary exact {certificate.boundary_exact}, "
             f"{len(certificate.nonpositive)} hexes not proved positive{_overlap(certificate)}")
@@ -133,7 +134,8 @@ def _mesh_lines(mesh):
               f"{mesh.order}, method {mesh.method}: {_made_of(mesh)}",
               *(f"tried         {line}" for line in (*mesh.report.get("surface tries", ()), *mesh.report["log"])),
               _quality_line(mesh.quality), _lengths_line(lengths_of(mesh.points, mesh.hexes)),
-              _certificate_line(mesh.certificate, mesh.order)]
+              _certificate_line(mesh.certificate, len(curved_hexes(mesh.points, mesh.hexes)) > 0),
+              *(f"curved        {sentence}" for sentence in of_curving(mesh.report))]
     if is_topological(mesh):
         lines.append(f"topological   {MEANING}")
     return lines
@@ -199,10 +201,7 @@ def _judged(found, surface):
     certificate, quality, curved = report.certificate, report.quality, report.curved
     lines = [f"mesh          {len(found.hexes)} hexes, {len(found.points)} points, order "
              f"{found.order}, {len(found.quads)} boundary quads", _quality_line(quality),
-             _lengths_line(report.lengths), _certificate_line(certificate, 1 if len(curved) else found.order)]
-    if len(curved):
-        lines.append(f"              {len(curved)} hexes have middle nodes off the middles of "
-                     "their edges; the above is of straight edges, of the curved nothing is proved")
+             _lengths_line(report.lengths), _certificate_line(certificate, len(curved) > 0)]
     for name, ids in (("not positive", certificate.nonpositive),
                       ("improper", certificate.improper), ("curved", curved)):
         if len(ids):

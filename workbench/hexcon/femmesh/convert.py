@@ -23,7 +23,7 @@ def to_femmesh(mesh, order=None, *, allow_topological=False):
     """Fem.FemMesh of a hex mesh.
 
     mesh   .points, .hexes, .quads, .face_of_quad (see elements.elements_of)
-    order  1 (Hexa8, ccx C3D8), 2 (Hexa20, ccx C3D20, straight edges), None: the mesh's own
+    order  1 (Hexa8, ccx C3D8), 2 (Hexa20, ccx C3D20; of a mesh of order 1: straight edges), None: the mesh's own
     allow_topological  convert a mesh of topology only as well, which no solver must be given
     Node i+1 is point i; volumes are 1..H in the order of hexes; the boundary quads follow
     as faces H+1..H+n, outward. One face group per CAD face, named "Face3".

@@ -8,6 +8,7 @@ from hexcon.topological import is_topological
 from hexcon.translation import QT_TRANSLATE_NOOP, translate
 from hexcon_native import METHOD_TABLE
 
+from .curved import curved_hexes, of_curving
 from .fillable import fillable
 from .lengths import lengths_of
 
@@ -70,8 +71,9 @@ def of_mesh(mesh):
             *_size(len(mesh.hexes), mesh.order, len(mesh.points))]
     rows.append((translate("HexCon", "Method"), _made(mesh)))
     rows += _warning(is_topological(mesh))
-    rows += _worth(mesh.quality, mesh.certificate)
+    rows += _worth(mesh.quality, mesh.certificate, straight=not len(curved_hexes(mesh.points, mesh.hexes)))
     rows += of_lengths(lengths_of(mesh.points, mesh.hexes))
+    rows += [(translate("HexCon", "Curved edges"), sentence) for sentence in of_curving(report)]
     rows += [(translate("HexCon", "Note"), note) for note in report.get("surface notes", ())]
     rows += [(translate("HexCon", "Tried"), line) for line in (*report.get("surface tries", ()), *report["log"])]
     rows += [(translate("HexCon", "gmsh"), line) for line in report.get("gmsh", ())]
@@ -125,8 +127,8 @@ def of_check(report):
             "could not be compared with a surface")))
     if not report.straight:
         rows.append((translate("HexCon", "Note"), translate(
-            "HexCon", "some edges are curved; hexes were judged by their corners, as if their "
-            "edges were straight")))
+            "HexCon", "{count} hexes have curved edges, and were judged with them").format(
+                count=count(len(report.curved)))))
     if report.nonpositive:
         rows.append((translate("HexCon", "Elements"),
                      translate("HexCon", "not positive: {ids}").format(ids=_listed(report.nonpositive))))
@@ -227,13 +229,14 @@ def _certificate(certificate, surface_known, straight):
     if certificate is None:
         return translate("HexCon", "not checked")
     if certificate.certified:
-        proofs = [translate("HexCon", "every Jacobian is proved positive") if straight else
-                  translate("HexCon", "every Jacobian would be positive with straight edges"),
-                  translate("HexCon", "the mesh is proper"), translate("HexCon", "nothing overlaps")]
+        proofs = [translate("HexCon", "every Jacobian is proved positive"),
+                  translate("HexCon", "the mesh is proper"),
+                  translate("HexCon", "nothing overlaps") if straight else
+                  translate("HexCon", "nothing overlaps, but perhaps within the sag of curved boundary edges")]
         if surface_known:
             proofs.append(translate("HexCon", "its boundary exact"))
-        sure = straight and surface_known  # the word alone must not promise more than is proved
-        return (translate("HexCon", "certified: ") if sure else "") + ", ".join(proofs)
+        # the word alone must not promise more than is proved
+        return (translate("HexCon", "certified: ") if surface_known else "") + ", ".join(proofs)
     faults = []
     if len(certificate.nonpositive):
         faults.append(translate("HexCon", "{count} hexes are not proved positive").format(

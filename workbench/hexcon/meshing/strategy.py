@@ -9,8 +9,10 @@ from dataclasses import dataclass, replace
 import hexcon_native
 from hexcon_native import ErrorCode, HexconError
 
+from ..curving import curve
 from ..errors import FaultCode
 from ..quads import METHOD_TABLE as SURFACE_METHOD_TABLE, surface_from_solid
+from ..topological import is_topological
 from .filling import mesh_surface
 from .progress import deadline_of, in_budget, limited, raising
 
@@ -25,6 +27,9 @@ _WORTH_ANOTHER = (*_ABOUT_THE_SURFACE, ErrorCode.NON_MANIFOLD_VERTEX, ErrorCode.
 
 # After these no method goes on where another was refused.
 _ENDS_ALL = (ErrorCode.CANCELLED, ErrorCode.OUT_OF_TIME, ErrorCode.OUT_OF_MEMORY)
+
+# After these a mesh of order 2 is there, but with straight edges.
+_STAYS_STRAIGHT = (FaultCode.TOOL_FAILED, FaultCode.TOOL_TIMEOUT, ErrorCode.OUT_OF_TIME)
 
 # Surfaces of more quads than this are diced before anything else where their method says so: no other method makes
 # fewer hexes of them, and to look for layers takes longer than to dice.
@@ -101,11 +106,33 @@ class Strategy:
             mesh.report["surface tries"] = told
         mesh.solid = shape_or_file
         mesh.report["seconds surface"] = seconds
+        self._curve(mesh, shape_or_file, progress, deadline)
         return mesh
 
-    def of_surface(self, surface, progress=None):
-        """Mesh of a quads.QuadSurface as it is; result and faults as hexcon.mesh_quad_surface's."""
-        return self._fill(surface, progress, deadline_of(self._options), last=True)
+    def of_surface(self, surface, progress=None, solid=None):
+        """Mesh of a quads.QuadSurface as it is; result and faults as hexcon.mesh_quad_surface's.
+
+        solid   what it was made of, as of_solid's: edges of order 2 come to lie on it; None: they are straight
+        """
+        deadline = deadline_of(self._options)
+        mesh = self._fill(surface, progress, deadline, last=True)
+        if solid is not None:
+            self._curve(mesh, solid, progress, deadline)
+        return mesh
+
+    def _curve(self, mesh, solid, progress, deadline):
+        """Curve what is of order 2, is for solvers, and knows its CAD faces. Where gmsh or the time fails, edges stay
+        straight, and the report says so."""
+        if self._options.get("order", 1) != 2 or is_topological(mesh) or not (mesh.face_of_quad > 0).all():
+            return
+        started = time.monotonic()
+        try:
+            curve(mesh, solid, timeout=self._timeout, progress=limited(raising(progress), deadline))
+        except HexconError as fault:
+            if fault.code not in _STAYS_STRAIGHT:
+                raise
+            mesh.report["straight edges"] = f"edges stay straight: {fault.code.name}: {fault}"
+        mesh.report["seconds curved edges"] = time.monotonic() - started
 
     def _surface(self, shape_or_file, size, number, progress):
         factor, care = TRIES[number].factor, TRIES[number].care

@@ -24,7 +24,7 @@ PROPERTIES = (
      f"methods {', '.join(methods_that(lambda method: method.layers))}", 0, False),
     ("App::PropertyEnumeration", "Pillow", "HexCon", "Sheets of hexes under the whole surface: one where it makes a "
      "poor worst hex clearly better, none, or so many; not for methods of topology only", CHOICES, False),
-    ("App::PropertyEnumeration", "Order", "HexCon", "1: C3D8, 2: C3D20 with straight edges", ORDERS, False),
+    ("App::PropertyEnumeration", "Order", "HexCon", "1: C3D8, 2: C3D20, edges of the boundary on the solid", ORDERS, False),
     ("App::PropertyFloat", "Budget", "HexCon", "Seconds after which the best mesh until then is taken; 0: no limit",
      0.0, False),
     ("App::PropertyBool", "AllowTopological", "HexCon", "Allow the methods whose meshes are topology only: no "
@@ -62,7 +62,8 @@ def job_of(surface, method="auto", layers=0, order=1, budget=0.0, allow_topologi
     held = surface_of(surface)
     mark = mark_of(held, method, layers, order, budget, pillow=pillow)
     if not (try_other_surfaces and hasattr(surface.Source, "Shape")):
-        return mark, lambda progress: strategy.of_surface(held, progress=progress)
+        solid = solid_shape(surface.Source) if order == 2 and hasattr(surface.Source, "Shape") else None
+        return mark, lambda progress: strategy.of_surface(held, progress=progress, solid=solid)
     shape, size, first = solid_shape(surface.Source), surface.Size.Value, held if held.tried == 0 else None
     if surface.Proxy.fault is not None:     # the quads are those of older inputs
         mark, first = fingerprint(surface.Proxy.first_try(surface)[0], mark), None

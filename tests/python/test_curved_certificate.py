@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""hn.certify of hexes with 20 nodes: against an exact judge that shares no code, and case by case."""
+import curved_judge
+import numpy as np
+import pytest
+from mesh_checker import CORNERS
+
+import hexcon_native as hn
+
+NO_QUADS = np.empty((0, 4), int)
+CUBE = np.array([[0, 1, 2, 3, 4, 5, 6, 7]])
+SIDES = np.array([(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)])
+
+
+def cube():
+    return hn.raise_order(CORNERS.astype(float), CUBE)
+
+
+def test_no_disagreement_with_an_exact_judge():
+    """Hexes little and much bent, nearly flat, with double roots; a larger run is in docs/measured.md."""
+    nodes = curved_judge.random_hexes(np.random.default_rng(5), 4000)
+    wanted = curved_judge.signs(nodes)
+    certificate = hn.certify(nodes.reshape(-1, 3), np.arange(20 * len(nodes)).reshape(-1, 20), NO_QUADS)
+    positive = np.ones(len(nodes), bool)
+    positive[certificate.nonpositive] = False
+    told = ~np.isnan(certificate.witnesses[:, 0])
+    assert (wanted[positive] >= 0).all() and (wanted[certificate.nonpositive[told]] <= 0).all()
+    assert 0.2 < positive.mean() < 0.8 and (wanted == 0).sum() + certificate.undecided < 20
+    for hexahedron, place in list(zip(certificate.nonpositive[told], certificate.witnesses[told]))[::40]:
+        assert curved_judge.value(nodes[hexahedron], place) <= 0
+
+
+def test_where_corners_alone_would_do_another_hex():
+    """An edge that bows through the hex folds it, though its corners are a cube's."""
+    points, hexes = cube()
+    assert hn.certify(points, hexes, SIDES).certified
+    points[hexes[0, 8]] += (0.0, 0.6, 0.6)
+    found = hn.certify(points, hexes, SIDES)
+    assert not found.certified and found.nonpositive.tolist() == [0] and found.conforming and found.proper
+    assert hn.certify(points, hexes[:, :8], SIDES).certified
+    assert curved_judge.value(points[hexes[0]], found.witnesses[0]) <= 0
+
+
+def test_quads_with_middle_nodes_must_be_those_of_the_hexes():
+    points, hexes = cube()
+    middle = {frozenset(hexes[0, list(ends)].tolist()): hexes[0, 8 + e] for e, ends in enumerate(curved_judge.ENDS)}
+    quads = np.array([[*side, *(middle[frozenset((side[k], side[(k + 1) % 4]))] for k in range(4))]
+                      for side in SIDES.tolist()])
+    assert hn.certify(points, hexes, quads).certified
+    quads[2, 5] = quads[2, 4]
+    found = hn.certify(points, hexes, quads)
+    assert not found.boundary_exact and not found.certified
+
+
+@pytest.mark.parametrize("twin", [False, True])
+def test_neighbours_share_middle_nodes(twin):
+    points = np.array([(x, y, z) for x in range(3) for y in (0, 1) for z in (0, 1)], float)
+    hexes = np.array([[0, 4, 6, 2, 1, 5, 7, 3], [4, 8, 10, 6, 5, 9, 11, 7]])
+    points, hexes = hn.raise_order(points, hexes)
+    if twin:
+        shared = np.intersect1d(hexes[0, 8:], hexes[1, 8:])[0]
+        points = np.vstack([points, points[shared]])
+        hexes[1][hexes[1] == shared] = len(points) - 1
+    found = hn.certify(points, hexes, hexes[:, SIDES].reshape(-1, 4)[[0, 1, 2, 4, 5, 6, 7, 8, 9, 10]])
+    assert found.proper is not twin and found.certified is not twin
+    assert set(found.improper) == ({0, 1} if twin else set())
+
+
+def test_the_mesh_of_order_2_is_proved_with_its_own_nodes():
+    points, quads = CORNERS.astype(float), SIDES
+    mesh = hn.mesh(points, quads, order=2)
+    assert mesh.certificate.certified and mesh.hexes.shape == (1, 20)
