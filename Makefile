@@ -15,6 +15,8 @@
 #              SCOREBOARD_LIMIT: processor seconds for each, SCOREBOARD_JOBS: how many at once; writes docs/scoreboard.md;
 #              goes on where it was stopped
 # make solids  the CAD files of the folder SOLIDS from solid to certificate; SOLIDS_METHOD: by which surface method
+# make grid-beside  FEM on the grid's hexes beside diced ones and quadratic tetrahedra, and its hexes beside gmsh's and, where it is
+#              installed, OpenFOAM's snappyHexMesh; goes on where it was stopped
 # make measured  bench, compare, parts and csg, one after the other (hours), and docs/measured.md from their results
 # make fuzz    libFuzzer on the core's calls, with the sanitizers (clang); FUZZ_SECONDS: how long, FUZZ_RUNS: how often
 # make build   the core alone, in place
@@ -33,7 +35,7 @@ sources = $(shell git ls-files 'hexcon_native/*.[ch]' 'tests/native/*.[ch]' 'exa
             find hexcon_native tests/native examples -name '*.[ch]')
 native = $(wildcard hexcon_native/src/*/*.c hexcon_native/src/*/*/*.c)
 
-.PHONY: run test build bench bench-window compare compare-optimizer parts csg solids scoreboard measured gallery screenshots setup-run setup-test setup-lint setup-fuzz \
+.PHONY: run test build bench bench-window compare compare-optimizer parts csg solids scoreboard grid-beside measured gallery screenshots setup-run setup-test setup-lint setup-fuzz \
   lint lint-c lint-python lint-shell sanitized-build native-test hostile-test python-test fuzz clean
 
 run: setup-run build
@@ -151,6 +153,11 @@ scoreboard: setup-run build
 SOLIDS_METHOD ?= auto
 solids: setup-run build
 	@PYTHONPATH=.:workbench $(python) scripts/solids.py $(SOLIDS) --surface-method $(SOLIDS_METHOD) --result output/solids.jsonl
+
+grid-beside: setup-test build
+	@PYTHONPATH=.:workbench $(python) scripts/grid_beside/mesher_table.py --result output/meshers.jsonl
+	@PYTHONPATH=.:workbench $(python) scripts/grid_beside/fem_table.py --result output/fem.jsonl
+	@$(python) scripts/measured.py
 
 # Each writes its result file first: what is there already of csg is kept (remove the file to measure anew).
 measured: setup-run build

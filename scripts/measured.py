@@ -51,8 +51,44 @@ def _csg_row(parts):
     return "| " + " | ".join(row) + " |"
 
 
+FEM_COLUMNS = ("C3D8 nodes", "C3D8", "C3D10 1", "C3D20 nodes", "C3D20 straight", "C3D20", "C3D20R", "C3D10 2")
+
+
+def fem_rows(lines):
+    """One row for each mesh of a body: nodes at either order, and errors of compliance and of stress in percent."""
+    table = ["| body, load | mesh: hexes; least, mean | nodes | C3D8 | C3D10 | nodes | C3D20, straight edges "
+             "| C3D20 | C3D20R | C3D10 |", "|---|---|---|---|---|---|---|---|---|---|"]
+    for found in map(json.loads, filter(None, lines)):
+        for row in found["rows"]:
+            cells = [f"{found['body']}, {'bending' if found['bending'] else 'stocky'}",
+                     "{mesh}: {hexes}; {min:.2f}, {mean:.2f}".format(**row),
+                     *(_fem_cell(row, name) for name in FEM_COLUMNS)]
+            table.append("| " + " | ".join(cells) + " |")
+    return table
+
+
+def _fem_cell(row, name):
+    if name.endswith(" nodes"):
+        return str(row[name.removesuffix(" nodes")]["nodes"])
+    found = row[name]
+    return "refused" if "fault" in found else "{:+.1f}; {:.0f}".format(100 * found["compliance"], 100 * found["stress"])
+
+
+def mesher_rows(lines):
+    """One row for each mesh of a body."""
+    table = ["| body | mesher | cells | hexes | not positive | least, mean | farthest point, in sizes | edges captured "
+             "| processor seconds |", "|---|---|---|---|---|---|---|---|---|"]
+    for found in map(json.loads, filter(None, lines)):
+        for row in found["rows"]:
+            table.append("| {} | {} | {} | {:.0f} % | {} | {:.2f}, {:.2f} | {:.1g} | {:.0f} % | {:.1f} |".format(
+                found["body"], row["mesher"], row["cells"], 100 * row["hexes"] / row["cells"], row["bad"], row["min"],
+                row["mean"], row["off"], 100 * row["edges"], row["seconds"]))
+    return table
+
+
 BLOCKS = {"bench": ("bench.txt", verbatim), "parts": ("parts.txt", verbatim), "csg": ("csg.jsonl", csg_rows),
-          "compare": ("compare.txt", verbatim), "optimizer": ("optimizer.txt", verbatim)}
+          "compare": ("compare.txt", verbatim), "optimizer": ("optimizer.txt", verbatim),
+          "fem": ("fem.jsonl", fem_rows), "meshers": ("meshers.jsonl", mesher_rows)}
 """name: result file, and what makes the block's lines of the file's."""
 
 
