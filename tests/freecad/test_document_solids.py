@@ -155,7 +155,8 @@ RIGHT = {
     link_alone: (6000, (50, 0, 0)), link_to_part: (6000, (7, 0, 0)), binder: BOX, cut: (5875, (0, 0, 0)),
     body_and_helper: ("2 solids count in it (1 Body; 2 Helper (Loose block))", "--object"),
     two_bodies: ("1 B1 (Housing); 2 B2", "--solid"), body_and_link: ("1 Body; 2 Link", "--object"),
-    attached: ("1 Box; 2 Upper", "--object"), compound: ("1 Compound, solid 1 of 2; 2 Compound, solid 2 of 2", "--solid"),
+    attached: ("1 Box; 2 Upper", "--object"), compound: ("1 Compound, solid 1 of 2; 2 Compound, solid 2 of 2",
+                                                         "--solid"),
     mirrored: ("2 solids", "Box", "Mirror"), empty: ("0 solids count in it (none)", "Body: recompute")}
 
 
@@ -189,9 +190,11 @@ def test_the_solid_that_counts(app, tmp_path, make):
 
 
 @pytest.mark.parametrize("make, chosen, right", [
-    (body_and_helper, {"object_name": "Body"}, BOX), (body_and_helper, {"object_name": "Loose block"}, (125, (0, 0, 0))),
+    (body_and_helper, {"object_name": "Body"}, BOX), (body_and_helper, {"object_name": "Loose block"}, (125, (0, 0,
+                                                                                                              0))),
     (body_and_helper, {"number": 2}, (125, (0, 0, 0))), (hole_in_body, {"object_name": "BodyBox"}, BOX),
-    (hidden_helper, {"object_name": "Helper"}, (125, (0, 0, 0))), (moved_part, {"object_name": "Part"}, (6000, (80, 0, 0))),
+    (hidden_helper, {"object_name": "Helper"}, (125, (0, 0, 0))), (moved_part, {"object_name": "Part"}, (6000, (80, 0,
+                                                                                                                0))),
     (moved_part, {"object_name": "BodyBox"}, (6000, (80, 0, 0))),
     (one_body, {"scale": 1000.0}, (6e12, (0, 0, 0)))])
 def test_a_solid_is_chosen(app, tmp_path, make, chosen, right):
@@ -221,7 +224,8 @@ def test_nothing_is_dropped_in_silence(app, tmp_path):
     path, renamed = saved(app, body_and_helper, tmp_path / "part.FCStd"), tmp_path / "later.FCStd"
     with zipfile.ZipFile(path) as old, zipfile.ZipFile(renamed, "w", zipfile.ZIP_DEFLATED) as new:
         for entry in old.infolist():
-            new.writestr(entry.filename, old.read(entry).replace(b'type="PartDesign::Body"', b'type="PartDesign::Later"'))
+            new.writestr(entry.filename, old.read(entry).replace(b'type="PartDesign::Body"',
+                                                                 b'type="PartDesign::Later"'))
     with pytest.raises(ToolError, match="Body \\(PartDesign::Later\\)") as caught:
         solid_as_brep(renamed, tmp_path / "solid.brep")
     assert caught.value.code is FaultCode.FREECAD_MISSING

@@ -79,3 +79,10 @@ def tangency(points, quads):
     edge = points[last] - points[first]
     moment = np.cross(points[first], edge)
     return np.abs(np.linalg.norm(moment, axis=1) / np.linalg.norm(edge, axis=1) - 1).max()
+
+
+def volume_of(points, quads):
+    """Volume inside quads; a warped one counts by its diagonals' triangles from its middle."""
+    corners = points[quads[:, :4]]
+    area = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]) / 2
+    return float((area * corners.mean(axis=1)).sum() / 3)

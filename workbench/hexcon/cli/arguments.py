@@ -8,8 +8,9 @@ import hexcon_native
 from .. import pillows
 from ..examples import example_names
 from ..files import READERS, SOLVER_ENDINGS, WRITERS, shown
-from ..files.surfaces import MESH_ENDINGS, SURFACE_ENDINGS
+from ..files.surfaces import SURFACE_ENDINGS
 from ..quads import METHOD_TABLE as SURFACE_METHOD_TABLE
+from ..quads.files import MESH_ENDINGS
 from ..quads.local_sizes import WAYS
 from . import commands, examples
 from .terminal import Parser

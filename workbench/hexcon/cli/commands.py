@@ -202,6 +202,7 @@ def _judged(found, surface):
     lines = [f"mesh          {len(found.hexes)} hexes, {len(found.points)} points, order "
              f"{found.order}, {len(found.quads)} boundary quads", _quality_line(quality),
              _lengths_line(report.lengths), _certificate_line(certificate, len(curved) > 0)]
+    lines += _deck_lines(found)
     for name, ids in (("not positive", certificate.nonpositive),
                       ("improper", certificate.improper), ("curved", curved)):
         if len(ids):
@@ -210,8 +211,18 @@ def _judged(found, surface):
         lines.append(f"overlapping   {_pairs(certificate.crossings)}")
     return ({"points": len(found.points), "hexes": len(found.hexes), "order": found.order,
              "quads": len(found.quads), "quality": quality.as_dict(), "lengths": report.lengths.as_dict(),
-             "certificate": certificate.as_dict(), "curved": curved[:1000],
+             "certificate": certificate.as_dict(), "curved": curved[:1000], "notes": getattr(found, "notes", []),
+             "elements_in_file": getattr(found, "counts", {}),
              "certified": report.certified}, lines)
+
+
+def _deck_lines(found):
+    """What else is in the file, where its reader knows: nothing that a solver would see is certified in part."""
+    counts = getattr(found, "counts", {})
+    told = ", ".join(f"{count} {kind}" for kind, count in counts.items())
+    lines = [f"in the file   {told}: {len(found.hexes)} of {sum(counts.values())} elements are hexes, and "
+             f"judged"] * bool(counts)
+    return [*lines, *(f"note          {note}" for note in getattr(found, "notes", ()))]
 
 
 def _pairs(pairs):

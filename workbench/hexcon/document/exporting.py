@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A FEM mesh object of hexes into a file of any format that files.write has; FreeCAD's own export knows fewer."""
 from hexcon import files
+from hexcon.files.femmesh_contents import contents_of_femmesh
+from hexcon.files.hex_contents import mesh_of
 from hexcon.judging.report import read_mesh_object
 
 
 def export_hex_mesh(mesh_object, path, *, allow_topological=False):
     """Write a FEM mesh object made of hexes; the ending of path decides the format: hexcon.files.WRITERS.
 
-    The whole boundary is written, its groups by the object's face groups Face1, Face2 ...; the document stays as it is.
+    The whole boundary is written, with the object's groups of faces and nodes; the document stays as it is.
     Raises ToolError: BAD_MESH for other elements, and those of files.write.
     """
     found = read_mesh_object(mesh_object)
-    named = None if found.quads is None else (found.quads, found.face_of_quad)
-    mesh = files.with_boundary(found.points, found.hexes, named)
+    mesh = mesh_of(found.points, found.hexes, contents_of_femmesh(mesh_object.FemMesh))
     mesh.topological = found.topological
     files.write(mesh, path, allow_topological=allow_topological)

@@ -2,29 +2,21 @@
 """Mesh files: the ending decides. All but .FCStd and .med work without FreeCAD."""
 import inspect
 import os
-from types import SimpleNamespace
-
-import numpy as np
 
 from hexcon import disk
 from hexcon.errors import FaultCode, ToolError
-from hexcon.femmesh.boundary import owners
 from hexcon.femmesh.elements import elements_of
 from hexcon.topological import BY_KEYWORD, refuse_topological, refuse_topological_method
 
 from . import abaqus, exodus, freecad, gmsh, nek5000, specfem3d, unv, vtk
+from .hex_contents import hexes_of, mesh_of
+from .readers import READERS, read_contents
 from .regular import naming_faults, regular_file
-from .through_meshio import read_meshio
 
 WRITERS = {".inp": abaqus.write, ".msh": gmsh.write, ".vtu": vtk.write_vtu,
            ".vtk": vtk.write_vtk, ".unv": unv.write, ".med": freecad.write_med,
            ".fcstd": freecad.write_fcstd, ".re2": nek5000.write, ".exo": exodus.write,
            ".specfem3d": specfem3d.write}
-READERS = {".inp": abaqus.read, ".unv": unv.read, ".med": freecad.read_med,
-           ".msh": read_meshio, ".vtu": read_meshio, ".vtk": read_meshio,
-           ".mesh": read_meshio}
-
-_BY_LIBRARIES = (read_meshio, freecad.read_med)     # in a process of their own, which can be ended at any time
 
 # What a solver takes as it is: a deck with a material, a document with a FEM mesh object, the own formats of solvers. The
 # others, .med among them, hold a bare mesh, which to look at is what topology is for.
@@ -32,10 +24,8 @@ SOLVER_ENDINGS = (".inp", ".fcstd", ".re2", ".exo", ".specfem3d")
 
 _OWN_FILES = {specfem3d.write: specfem3d.is_own}    # of writers of folders: what an older one may lose
 
-MOST_FACES = 10 ** 9    # no CAD face has a higher number; .msh holds 32 bits
-
 __all__ = ["READERS", "SOLVER_ENDINGS", "WRITERS", "check_method_for", "ending_of", "read_hexes", "read_mesh",
-           "shown", "with_boundary", "write"]
+           "shown", "write"]
 
 
 def ending_of(path):
@@ -107,58 +97,31 @@ def replace_file(path, write_to, is_own=None):
         disk.put_in_place(os.path.join(beside, base), os.path.abspath(path), is_own)
 
 
-def _read(path, progress):
-    """(points, hexes, faces) of any READERS format, faults named, all in range."""
-    path = regular_file(path)
-    reader = _by_ending(path, READERS, "read")
-    if progress is not None:
-        progress("read", 0.0)
-    with naming_faults(path):
-        points, hexes, faces = reader(path, progress=progress) if reader in _BY_LIBRARIES else reader(path)
-        if not len(hexes):
-            raise ToolError(f"{path}: there are no hexahedra in it", FaultCode.FILE_FORMAT)
-        if faces is not None and (faces[1].min(initial=0) < 0 or faces[1].max(initial=0) > MOST_FACES):
-            raise ToolError(f"{path}: a quad names CAD face {faces[1].min()} to {faces[1].max()}", FaultCode.FILE_FORMAT)
-        for what, ids in (("hexahedron", hexes), ("quad", () if faces is None else faces[0])):
-            if len(ids) and (ids.min() < 0 or ids.max() >= len(points)):
-                raise ToolError(f"{path}: a {what} names a point that does not exist", FaultCode.FILE_FORMAT)
-    return points, hexes, faces
-
-
 def read_hexes(path, *, progress=None):
     """(points (P,3) float64, hexes (H,8|20) int64, 0-based, VTK order) of a mesh file.
 
-    Endings .inp .msh .vtu .vtk .unv .med .mesh. Shells, beams and points are passed over;
+    Endings: READERS. Shells, beams and points are passed over;
     other solids (tetrahedra ...) are an error, for a check must not skip them.
     progress  callable(stage, fraction), called before and while a library reads: what it raises cancels and comes out here
     Raises ToolError: FILE_FORMAT, FILE_IO, TOOL_MISSING (meshio), FREECAD_MISSING (.med).
     """
-    return _read(path, progress)[:2]
+    path = regular_file(path)
+    found = read_contents(path, progress)
+    with naming_faults(path):
+        return found.points, hexes_of(path, found)
 
 
 def read_mesh(path, *, progress=None):
-    """As read_hexes, as a mesh: .points, .hexes, .order, .quads, .face_of_quad.
+    """As read_hexes, as a mesh: .points, .hexes, .order, .quads, .face_of_quad, .groups, .node_groups, .notes, .counts.
 
     quads (n,4) is the whole boundary, outward; face_of_quad (n,) the CAD face numbers that
     write() put into .inp, .msh, .vtu, .unv and .med (surfaces and groups Face1, Face2 ...),
-    0 where there are none. So a file can be given loads by face.
+    0 where there are none; groups and node_groups what else the file names: see hex_contents.mesh_of. So a file can be
+    given loads by face, and by name. counts {name of a kind of elements in the file: how many}, where the reader knows.
     """
     path = regular_file(path)
-    points, hexes, faces = _read(path, progress)
+    found = read_contents(path, progress)
     with naming_faults(path):
-        return with_boundary(points, hexes, faces)
-
-
-def with_boundary(points, hexes, faces):
-    """The mesh of read_mesh from its arrays; faces: (quads (k,4), CAD face numbers (k,)), of a part of the boundary or
-    all, or None. Raises ToolError(BAD_MESH) for a quad that is no face of any hex."""
-    mesh = SimpleNamespace(points=points, hexes=hexes, order=2 if hexes.shape[1] == 20 else 1,
-                           quads=None, face_of_quad=None, report={}, certificate=None)
-    boundary = elements_of(mesh)
-    mesh.quads, mesh.face_of_quad = boundary.quads[:, :4], boundary.face_of_quad
-    if faces is not None:
-        named = owners(hexes, faces[0], len(points))
-        side = np.zeros((len(hexes), 6), np.int64)
-        side[named] = faces[1]
-        mesh.face_of_quad = side[boundary.hex_of_quad, boundary.side_of_quad]
+        mesh = mesh_of(found.points, hexes_of(path, found), found)
+    mesh.counts = found.counts
     return mesh

@@ -13,9 +13,11 @@ from hexcon.errors import FaultCode, ToolError
 from hexcon.freecad_compat import freecad, freecad_module
 
 # Links of these names use an object up; others (supports, paths, "up to" faces, expressions) only look at it.
-_USES_UP = ("Base", "Tool", "Tools", "Shapes", "Links", "Source", "Sources", "Objects", "BaseFeature", "Profile", "Sections",
+_USES_UP = ("Base", "Tool", "Tools", "Shapes", "Links", "Source", "Sources", "Objects", "BaseFeature", "Profile",
+            "Sections",
             "Additions", "Subtractions", "Shape1", "Shape2")
-_LOOKS_ONLY = ("Part::Mirroring", "PartDesign::ShapeBinder", "PartDesign::SubShapeBinder")  # both stay solids of their own
+_LOOKS_ONLY = ("Part::Mirroring", "PartDesign::ShapeBinder",
+               "PartDesign::SubShapeBinder")  # both stay solids of their own
 _REFERENCES = ("PartDesign::ShapeBinder", "PartDesign::SubShapeBinder")
 _LINKS = ("App::Link", "App::LinkPython", "App::LinkElement", "App::LinkGroup")
 _LISTED = 20    # solids, in words
@@ -38,7 +40,8 @@ def choose(document, choice):
     places, notes = _counted(document) if choice.object_name is None else (_of_object(document, choice.object_name), [])
     solids = [(place, row) for place in places for row in range(len(place.shape.Solids))]
     if choice.number is not None and not 1 <= choice.number <= len(solids):
-        raise ToolError(f"there is no solid {choice.number}; there are {len(solids)}{_list_of(solids)}", FaultCode.BAD_OPTION)
+        raise ToolError(f"there is no solid {choice.number}; there are {len(solids)}{_list_of(solids)}",
+                        FaultCode.BAD_OPTION)
     if choice.number is None and len(solids) != 1:
         raise ToolError(f"{len(solids)} solids count in it{_list_of(solids)}{_empty(document)}; exactly one is needed"
                         + (": choose it by --object NAME or --solid N" if solids else ""), FaultCode.BAD_SHAPE)
@@ -95,7 +98,7 @@ def _of_object(document, name):
     named = [o for o in document.Objects if o.Name == name] or [o for o in document.Objects if o.Label == name]
     if len(named) != 1:
         known = ", ".join(o.Name for o in document.Objects if _has_solids(o))
-        found = f"{len(named)} objects have the label {name!r}: give a name" if named else f"there is no object {name!r}"
+        found = f"{len(named)} objects have the label {name!r}" if named else f"there is no object {name!r}"
         raise ToolError(f"{found}; solids have {known or 'none'}", FaultCode.BAD_OPTION)
     obj, = named
     inside = [p for p in _all_places(document) if obj.Name in p.words.split(".") and p.object.TypeId not in _REFERENCES]
@@ -187,8 +190,9 @@ def refuse_dropped(path, document):
     dropped = [(name, kind) for name, kind, matters in _objects_in_file(path) if matters and name not in there]
     if dropped:
         told = ", ".join(f"{name} ({kind})" for name, kind in dropped[:_LISTED])
-        raise ToolError(f"FreeCAD {'.'.join(freecad().Version()[:2])} did not open {len(dropped)} objects of it, {told}; they "
-                        "may be solids, so the others are not meshed without them. Open it in the FreeCAD that made it and "
+        raise ToolError(f"FreeCAD {'.'.join(freecad().Version()[:2])} did not open {len(dropped)} objects of it, "
+                        f"{told}; they "
+                        "may be solids, so the others are not meshed. Open it in the FreeCAD that made it and "
                         "export the solid as STEP", FaultCode.FREECAD_MISSING)
 
 

@@ -5,9 +5,7 @@ import zipfile
 
 from hexcon import freecad_compat
 
-from .library import cells_by_freecad
 from .solid import shape_of_file
-from .through_meshio import hexes_of_cells
 
 
 def _shape(solid):
@@ -63,8 +61,3 @@ def _complete(path):
         whole = False
     if not whole:
         raise OSError("FreeCAD wrote only a part of it")
-
-
-def read_med(path, progress=None):
-    """(points, hexes, faces) of a .med file through FreeCAD; see abaqus.read, and reading.read for progress."""
-    return hexes_of_cells(path, cells_by_freecad(path, progress))

@@ -181,6 +181,7 @@ class Strategy:
             raise
         mesh.surface = surface
         mesh.face_of_quad = surface.face_of_quad
+        mesh.groups, mesh.node_groups = surface.groups, surface.node_groups
         mesh.report["surface method"] = surface.method
         mesh.report["surface notes"] = list(surface.notes)
         return mesh

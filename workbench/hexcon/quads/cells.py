@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From a bag of mesh cells to the closed quad surface in it."""
+"""From what a mesh file holds to the closed quad surface in it, with its groups."""
+from dataclasses import replace
+
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
-from hexcon.files.cell_kinds import CORNERS
+from hexcon.files.cell_kinds import CORNERS, linear_kind
+from hexcon.files.hex_contents import groups_on, take_cad_faces
 from hexcon_native import ErrorCode, HexconError
 
+from . import causes, seams
 from .surface import given
 
 # Faces of the volume cells, as corner numbers; their sense is settled by surface.given.
@@ -17,25 +21,24 @@ _QUADS = {"tetra": (), "pyramid": ((0, 1, 2, 3),),
           "hexahedron": ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))}
 
 
-def surface_from_cells(points, cells, notes=()):
-    """QuadSurface "given" from points (P,3) and cells: dict of kind -> (k, corners) point rows.
+def surface_of(found, merge_tolerance=None):
+    """QuadSurface "given" of files.contents.Contents.
 
-    The kinds are those of files.cell_kinds.CORNERS.
-
+    merge_tolerance  points nearer than this become one, before all else; None: only where the surface is open
+                     otherwise, to seams.RELATIVE of its diagonal
     The quad elements are taken if they close; with volume cells present and the quads absent or open, the outer
-    faces of the volume cells. Coincident points are merged only where the surface is open without.
-    Raises ToolError NOT_ALL_QUAD (elements: the triangles), BAD_SHAPE (no cells), and HexconError as surface.given.
+    faces of the volume cells. Groups of quads on it, and of its points, are its groups.
+    Raises ToolError NOT_ALL_QUAD (elements: the triangles), BAD_SHAPE (no cells), BAD_OPTION, and HexconError as
+    surface.given, with the cause in words.
     """
-    cells = {k: np.asarray(c, np.int64).reshape(-1, CORNERS[k]) for k, c in cells.items() if len(c)}
-    for kind, rows in cells.items():
-        if len(rows) and (rows.min() < 0 or rows.max() >= len(points)):
-            raise ToolError(f"a {kind} names a point that does not exist", FaultCode.FILE_FORMAT)
-    notes = list(notes)
+    cells, second = _linear(found.cells)
+    notes = [*found.notes, *(["second-order elements: their mid-side points are dropped"] if second else [])]
+    merge = seams.Merging(found.points, merge_tolerance)
     volumes = {k: c for k, c in cells.items() if k in _QUADS}
     if "quad" in cells:
         try:
             _refuse_triangles(cells.get("triangle", ()), len(cells["quad"]))
-            return _closed(points, cells["quad"], notes)
+            return _closed(merge, cells["quad"], notes, found)
         except HexconError:
             if not volumes:
                 raise
@@ -47,7 +50,20 @@ def surface_from_cells(points, cells, notes=()):
         raise ToolError("there are neither quads nor volume elements", FaultCode.BAD_SHAPE)
     triangles, quads = outer_faces(volumes)
     _refuse_triangles(triangles, len(quads))
-    return _closed(points, quads, notes)
+    return _closed(merge, quads, notes, found)
+
+
+def _linear(cells):
+    """({kind of cell_kinds.CORNERS: (k, corners) rows}, whether second-order elements were cut down)."""
+    parts, second = {}, False
+    for name, rows in cells.items():
+        kind, linear = linear_kind(name)
+        if kind and len(rows):
+            if rows.shape[1] < CORNERS[kind]:
+                raise ValueError(f"a {name} with {rows.shape[1]} points")
+            second |= not linear
+            parts.setdefault(kind, []).append(rows[:, :CORNERS[kind]])
+    return {kind: np.concatenate(blocks) for kind, blocks in parts.items()}, second
 
 
 def outer_faces(volumes):
@@ -71,39 +87,37 @@ def _refuse_triangles(triangles, quads):
                         FaultCode.NOT_ALL_QUAD, range(min(len(triangles), 1000)))
 
 
-def _closed(points, quads, notes):
-    """given(); where the surface is open, once more with coincident points merged."""
+def _closed(merge, quads, notes, found):
+    """given(); where the surface is open, once more with points at one place merged, then with the cause in words."""
+    same = merge.wanted(quads, notes)
     try:
-        return given(points, quads, notes)
+        return _grouped(given(merge.points, same[quads], notes), same[quads], same, found)
     except HexconError as fault:
-        if fault.code is not ErrorCode.NOT_CLOSED or not np.isfinite(points).all():
-            raise
-        same = coincident(points)
-        if len(np.unique(same)) == len(points):
-            raise
-        merged = same[quads]
-        notes = notes + [f"{len(points) - len(np.unique(same))} points merged with others at the same place"]
+        if fault.code is not ErrorCode.NOT_CLOSED or merge.tolerance is not None or not np.isfinite(merge.points).all():
+            raise causes.named(fault, merge.points, same[quads]) from fault
+        same, told = merge.of_seams(quads)
+        if same is None:
+            raise causes.named(fault, merge.points, quads) from fault
         try:
-            return given(points, merged, notes)
+            return _grouped(given(merge.points, same[quads], [*notes, told]), same[quads], same, found)
         except HexconError:
-            raise fault from None
+            raise causes.named(fault, merge.points, quads) from fault
 
 
-def coincident(points):
-    """(P,) the first row at the same place as each row, to 1e-9 of the diagonal.
-
-    Rounded to a grid, and to the grid shifted by half a step, so that no pair is lost at a cell's edge.
-    """
-    points = np.asarray(points, float)
-    low = points.min(axis=0)
-    step = 2e-9 * max(float(np.linalg.norm(points.max(axis=0) - low)), 1e-300)
-    same = np.arange(len(points))
-    for shift in np.ndindex(2, 2, 2):
-        cell = np.floor((points - low) / step + np.array(shift) / 2.0)
-        _, first, inverse = np.unique(cell, axis=0, return_index=True, return_inverse=True)
-        lowest = np.full(len(first), len(points))
-        np.minimum.at(lowest, inverse.ravel(), same)
-        same = np.minimum(same, lowest[inverse.ravel()])
-    while not np.array_equal(same, same[same]):
-        same = same[same]
-    return same
+def _grouped(surface, quads, same, found):
+    """The surface with the groups of the file; quads (n,4): those it was made of, by rows of the file's points."""
+    points = np.full(len(same), -1, np.int64)
+    used = np.unique(quads)
+    points[used] = np.arange(len(used))
+    moved = replace(found, cells={kind: rows for kind, rows in found.cells.items() if rows.size
+                                  and kind.startswith("quad")})
+    moved.cells = {kind: same[rows] for kind, rows in moved.cells.items()}
+    moved.groups = [replace(group, rows=same[group.rows]) if group.kind in ("faces", "nodes") else group
+                    for group in found.groups if group.kind in ("faces", "nodes") or group.kind in moved.cells]
+    named, nodes, _ = groups_on(quads, moved, len(same))
+    surface.groups = take_cad_faces(named, surface.face_of_quad)
+    for name, rows in nodes.items():
+        rows = points[rows]
+        if (rows >= 0).any():
+            surface.node_groups[name] = np.unique(rows[rows >= 0])
+    return surface

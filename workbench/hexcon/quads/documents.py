@@ -1,15 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Quad surfaces from objects of FreeCAD documents."""
-import numpy as np
-
 from hexcon.errors import FaultCode, ToolError
+from hexcon.files.femmesh_contents import contents_of_femmesh
 
-from .cells import surface_from_cells
-
-_FACES = {3: "triangle", 6: "triangle", 4: "quad", 8: "quad", 9: "quad"}
-_VOLUMES = {4: "tetra", 10: "tetra", 5: "pyramid", 13: "pyramid", 6: "wedge", 15: "wedge", 8: "hexahedron",
-            20: "hexahedron", 27: "hexahedron"}
-_CORNERS = {"triangle": 3, "quad": 4, "tetra": 4, "pyramid": 5, "wedge": 6, "hexahedron": 8}
+from .cells import surface_of
 
 
 def surface_from_object(obj):
@@ -34,17 +28,5 @@ def surface_from_object(obj):
 
 
 def surface_from_femmesh(mesh):
-    """The same for a Fem.FemMesh. About 2 microseconds per node and element in FreeCAD's Python interface."""
-    nodes = mesh.Nodes
-    row = {n: k for k, n in enumerate(nodes)}
-    points = np.array([(p.x, p.y, p.z) for p in nodes.values()], float).reshape(-1, 3)
-    cells, second = {}, False
-    for ids, kinds in ((mesh.Faces, _FACES), (mesh.Volumes, _VOLUMES)):
-        for i in ids:
-            element = mesh.getElementNodes(i)
-            kind = kinds.get(len(element))
-            if kind:
-                second |= len(element) > _CORNERS[kind]
-                cells.setdefault(kind, []).append([row[n] for n in element[:_CORNERS[kind]]])
-    notes = ["second-order elements: their mid-side points are dropped"] if second else []
-    return surface_from_cells(points, cells, notes)
+    """The same for a Fem.FemMesh, its groups included. About 2 microseconds per node and element."""
+    return surface_of(contents_of_femmesh(mesh))

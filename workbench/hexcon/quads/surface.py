@@ -22,6 +22,8 @@ class QuadSurface:
     tried         how many surfaces of meshing.strategy.TRIES were tried before this one
     hexes         None, or a proposal as hexcon_native.mesh takes it: the hexes that the method has in mind inside the
                   quads, (H,8) int64, or (places of the points inside, hexes)
+    groups        {name: rows of quads} that the surface was given with, beside CAD faces; they may overlap
+    node_groups   {name: rows of points}
     """
     points: np.ndarray
     quads: np.ndarray
@@ -31,6 +33,8 @@ class QuadSurface:
     size: float = 0.0
     tried: int = 0
     hexes: "np.ndarray | tuple | None" = None
+    groups: dict = field(default_factory=dict)
+    node_groups: dict = field(default_factory=dict)
 
 
 def edges_of(quads):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Mesh files by meshio, and by VTK where meshio does not know them (legacy POLYDATA)."""
+"""Mesh files by the libraries that read them, one after the other."""
 import contextlib
 import importlib
 import io
@@ -9,13 +9,15 @@ import numpy as np
 
 from .refusal import Refusal
 
-ROADS = {".vtk": ("with_meshio", "with_vtk"), ".vtu": ("with_meshio", "with_vtk")}
+# Who reads what, the first that can.
+ROADS = {".vtk": ("with_vtk", "with_meshio"), ".vtu": ("with_vtk", "with_meshio")}
+OTHERS = ("with_meshio",)
 
 
 def read_mesh(job):
     """Arrays of a mesh, as hexcon.files.library.MESH lists them."""
     words, missing = [], []
-    for road in ROADS.get(os.path.splitext(job["file"])[1].lower(), ("with_meshio",)):
+    for road in ROADS.get(os.path.splitext(job["file"])[1].lower(), OTHERS):
         said = io.StringIO()
         try:
             with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):    # meshio's rich words
@@ -34,18 +36,18 @@ def read_mesh(job):
     raise Refusal("FILE_FORMAT", "; ".join(words))
 
 
-def mesh_arrays(points, blocks, names=(), boundary=None):
+def mesh_arrays(points, blocks, groups=(), notes=()):
     """The arrays of the answer.
 
-    points    (P, 2 or 3);  blocks  [(kind, rows, tags or None), ...], kinds by meshio's names, rows (k,n) of points
-    names     [(name, tag, dimension), ...] of groups;  boundary  (quads (q,4), CAD face numbers (q,)) or None
-    Raises ValueError where a cell names a point that does not exist.
+    points    (P, 2 or 3);  blocks  [(kind, rows), ...], kinds by meshio's names, each once, rows (k,n) of points
+    groups    [(name, kind, members), ...]: kind "nodes" (points), "faces" (corners (k,4)), or that of a block (its rows)
+    Raises ValueError where a cell or a group names a point that does not exist.
     """
     points = np.asarray(points)
     places = np.zeros((len(points), 3))
     places[:, :points.shape[1]] = points
-    kinds, counts, widths, entries, tags = [], [], [], [], []
-    for kind, rows, row_tags in blocks:
+    kinds, counts, widths, entries = [], [], [], []
+    for kind, rows in blocks:
         count, rows = len(rows), _table(kind, rows)
         if not _in_range(rows, len(points)):
             raise ValueError(f"a {kind} names a point that does not exist ({rows.min()} to {rows.max()} of {len(points)})")
@@ -53,28 +55,41 @@ def mesh_arrays(points, blocks, names=(), boundary=None):
         counts.append(count)
         widths.append(rows.shape[1])
         entries.append(rows.ravel())
-        tags.append(np.zeros(count, np.int64) if row_tags is None else np.asarray(row_tags).astype(np.int64))
-    arrays = {"points": places, "kinds": np.array(kinds, str), "counts": np.array(counts, np.int64),
-              "widths": np.array(widths, np.int64), "entries": np.concatenate([np.zeros(0, np.int64), *entries]),
-              "tags": np.concatenate([np.zeros(0, np.int64), *tags]), "names": np.array([n for n, _, _ in names], str),
-              "tags_of_names": np.array([t for _, *t in names], np.int64).reshape(-1, 2)}
-    if boundary is not None:
-        if len(boundary[0]) != len(boundary[1]) or not _in_range(boundary[0], len(points)):
-            raise ValueError("its boundary quads name points that do not exist, or are not as many as their faces")
-        arrays["boundary_quads"], arrays["face_of_quad"] = boundary
-    return arrays
+    members = [np.asarray(ids).astype(np.int64).ravel() for _, _, ids in groups]
+    for (name, kind, _), ids in zip(groups, members):
+        if not _in_range(ids, len(points) if kind in ("nodes", "faces") else dict(zip(kinds, counts)).get(kind, 0)):
+            raise ValueError(f"group {name!r} names a point or an element that does not exist")
+    return {"points": places, "kinds": np.array(kinds, str), "counts": np.array(counts, np.int64),
+            "widths": np.array(widths, np.int64), "entries": np.concatenate([np.zeros(0, np.int64), *entries]),
+            "group_names": np.array([n for n, _, _ in groups], str), "group_kinds": np.array([k for _, k, _ in groups], str),
+            "group_counts": np.array([len(ids) for ids in members], np.int64),
+            "members": np.concatenate([np.zeros(0, np.int64), *members]), "notes": np.array(list(notes), str)}
+
+
+def joined(blocks):
+    """[(kind, rows)] with each kind once, from [(kind, rows), ...]; and [(kind, first row)] of the ones given."""
+    together, places = {}, []
+    for kind, rows in blocks:
+        before = together.setdefault(kind, [])
+        places.append((kind, sum(map(len, before))))
+        before.append(_table(kind, rows))
+    return [(kind, np.concatenate(tables) if len({t.shape[1] for t in tables}) == 1
+             else np.zeros((sum(map(len, tables)), 0), np.int64)) for kind, tables in together.items()], places
 
 
 def _in_range(rows, count):
     return not rows.size or (rows.min() >= 0 and rows.max() < count)
 
 
-def boundary_of(fields):
-    """What hexcon.files.vtk writes beside the cells, from a dict of field arrays; None where it is not there."""
+def groups_of_fields(fields):
+    """[(name, "faces", corners)] of what older HexCons wrote beside the cells, from a dict of field arrays."""
     if "boundary_quads" not in fields or "face_of_quad" not in fields:
-        return None
-    return (np.asarray(fields["boundary_quads"]).astype(np.int64).reshape(-1, 4),
-            np.asarray(fields["face_of_quad"]).astype(np.int64).ravel())
+        return []
+    quads = np.asarray(fields["boundary_quads"]).astype(np.int64).reshape(-1, 4)
+    numbers = np.asarray(fields["face_of_quad"]).astype(np.int64).ravel()
+    if len(quads) != len(numbers) or len(numbers) and not 0 <= numbers.min() <= numbers.max() <= 10 ** 9:
+        raise ValueError("its boundary quads are not as many as their CAD faces, or name faces that there are not")
+    return [(f"Face{number}", "faces", quads[numbers == number]) for number in np.unique(numbers[numbers > 0]).tolist()]
 
 
 def _table(kind, rows):

@@ -20,18 +20,16 @@ def _named():
 
 
 def read_med(job):
-    """The arrays of a mesh of hexahedra, VTK order."""
+    """The arrays of a mesh, VTK order, with its groups."""
     with _named():
-        from hexcon.femmesh.convert import from_femmesh
+        from hexcon.files.femmesh_contents import contents_of_femmesh
         from hexcon.freecad_compat import fem_module
         femmesh = fem_module("Fem").read(job["file"])
         if not femmesh.NodeCount:
             raise Refusal("FILE_FORMAT", "FreeCAD finds no mesh in it: it looks for one that is called like the file, so "
                           "give a renamed file its first name back")
-        mesh = from_femmesh(femmesh)
-    kind = "hexahedron20" if mesh.order == 2 else "hexahedron"
-    boundary = None if mesh.quads is None else (mesh.quads, mesh.face_of_quad)
-    return mesh_arrays(mesh.points, [(kind, mesh.hexes, None)], boundary=boundary)
+        found = contents_of_femmesh(femmesh)
+    return mesh_arrays(found.points, list(found.cells.items()), [(g.name, g.kind, g.rows) for g in found.groups])
 
 
 def read_solid(job):
