@@ -63,7 +63,7 @@ SQUARE = [(0, 0), (6, 0), (6, 6), (0, 6)]
 REGIONS = {
     "square": ([polygon(SQUARE, [6] * 4)], "mapped", 36, 0.999),
     "L": ([polygon([(0, 0), (8, 0), (8, 3), (3, 3), (3, 9), (0, 9)], [8, 3, 5, 6, 3, 9])], "mapped", 42, 0.999),
-    "disc": ([circle(0, 0, 3, 16, 1)], "o-grid", 32, 0.8),
+    "disc": ([circle(0, 0, 3, 16, 1)], "o-grid", 32, 0.85),
     "triangle": ([polygon([(0, 0), (6, 0), (3, 5)], [4, 4, 4])], "midpoint", 12, 0.85),
     "ring": ([circle(0, 0, 3, 16, 1), circle(0, 0, 1, 16)], "ring", None, 0.95),
 }

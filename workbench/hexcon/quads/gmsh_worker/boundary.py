@@ -2,7 +2,7 @@
 """From the recognised sweep to the plane outline of its lower cap."""
 import numpy as np
 
-from .outline import Outline, least_count
+from .outline import Outline, even, least_count
 from .recognise import Column, Sweep
 
 
@@ -48,9 +48,9 @@ def front_edges(columns, level):
     return [e for _, e in edges], np.array([k for k, _ in edges])
 
 
-def chain_points(solid, edges, counts):
-    """(sum counts, 3): points along consecutive signed edges, without the last one."""
-    return np.concatenate([solid.edge_points(e, np.arange(n) / n) for e, n in zip(edges, counts)])
+def chain_points(solid, edges, shares):
+    """(N,3): points along consecutive signed edges, at shares (n,) of the length of each."""
+    return np.concatenate([solid.edge_points(e, s) for e, s in zip(edges, shares)])
 
 
 def orient(solid, sweep):
@@ -73,7 +73,7 @@ def orient(solid, sweep):
 def _rough(solid, columns, level):
     """(m,3) points round a loop, enough to tell its plane."""
     edges = front_edges(columns, level)[0]
-    return chain_points(solid, edges, [1 if solid.is_line(abs(e)) else 24 for e in edges])
+    return chain_points(solid, edges, *even([[1 if solid.is_line(abs(e)) else 24 for e in edges]]))
 
 
 def _area(p):
@@ -121,8 +121,8 @@ def outline_of(solid, sweep, plane, top_plane, size):
         direction.append(out)
 
     def placed(level, frame):
-        return lambda counts: [frame.flat(chain_points(solid, front_edges(columns, level)[0], c))
-                               for columns, c in zip(sweep.loops, counts)]
+        return lambda shares: [frame.flat(chain_points(solid, front_edges(columns, level)[0], s))
+                               for columns, s in zip(sweep.loops, shares)]
 
     return Outline(desired, least, turn, direction, placed(0, plane), placed(-1, top_plane), size)
 

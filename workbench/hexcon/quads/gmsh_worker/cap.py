@@ -6,9 +6,11 @@ import numpy as np
 
 from . import paved
 from .fault import WorkerFault
+from .outline import even
+from .plane.slid import slid
 from .plane_mesh import image
 from .smooth import optimise, scaled_jacobian
-from .templates import TEMPLATES
+from .templates import IF_POOR, TEMPLATES
 
 GOOD = 0.75        # a template this good, as a share of what the corners allow, is taken at once
 BONUS = 0.05       # what regular structure is worth, in scaled Jacobian
@@ -23,13 +25,18 @@ class CapMesh:
     points  (m,2) on the lower cap, the boundary first, loop after loop
     top     (m,2) the same points on the upper cap, in its own plane
     quads   (n,4) counter-clockwise
-    counts  intervals per loop and edge
+    shares  of the outline's edges, per loop: see Outline
     """
     name: str
-    counts: list
+    shares: list
     points: np.ndarray
     top: np.ndarray
     quads: np.ndarray
+
+    @property
+    def counts(self):
+        """list per loop of (k,) intervals of each edge."""
+        return [np.array([len(s) for s in loop]) for loop in self.shares]
 
     def quality(self):
         """(minimum, mean) scaled Jacobian in the planes of both caps."""
@@ -46,11 +53,14 @@ def mesh_cap(outline, link, label):
 
     Raises WorkerFault NOT_SWEEPABLE if every road ends in an inverted quad.
     """
-    tried = []
+    tried, plans = [], {}
     for name, (plan, build) in TEMPLATES.items():
-        counts = plan(outline)
-        if counts is not None:
-            _try(tried, outline, name, counts, build)
+        if name in IF_POOR and max((t.quality()[0] for t in tried), default=0.0) >= GOOD * outline.limit():
+            continue
+        if plan not in plans:
+            plans[plan] = plan(outline)
+        if plans[plan] is not None:
+            _try(tried, outline, name, plans[plan], build)
     link.progress("cap", 0.3)
     best = max((t.quality()[0] for t in tried), default=0.0)
     if best < GOOD * outline.limit():
@@ -73,9 +83,11 @@ def _pave(tried, outline, link, label):
 
 
 def _try(tried, outline, name, counts, build):
-    loops = outline.place(counts)
-    made = build(outline, counts, np.concatenate(loops))
-    _keep(tried, outline, name, counts, made)
+    shares = even(counts)
+    made = build(outline, counts, np.concatenate(outline.place(shares)))
+    if made is not None and name.startswith("lattice"):
+        shares, *made = slid(outline, shares, *made)
+    _keep(tried, outline, name, shares, made)
 
 
 def _try_paved(tried, outline, road, algorithm, scale):
@@ -84,27 +96,27 @@ def _try_paved(tried, outline, road, algorithm, scale):
     counts = plan(outline, scale)
     if any(c is None for c in counts):
         return
-    loops = outline.place(counts)
+    shares = even(counts)
     try:
-        made = build(loops, outline.size / scale, algorithm)
+        made = build(outline.place(shares), outline.size / scale, algorithm)
     except Exception as error:      # gmsh raises plain Exception; another road may do
         print(f"cap: {road} {algorithm}: {error}")
         return
-    _keep(tried, outline, f"{road}-{algorithm}-{scale:g}", counts, made)
+    _keep(tried, outline, f"{road}-{algorithm}-{scale:g}", shares, made)
 
 
-def _keep(tried, outline, name, counts, made):
+def _keep(tried, outline, name, shares, made):
     """Smooth a mesh on both caps and keep it if it is valid on both."""
     if made is None:
         return
     points, quads = made
-    outline_top = np.concatenate(outline.place_top(counts))
+    outline_top = np.concatenate(outline.place_top(shares))
     fixed = np.arange(len(points)) < len(outline_top)
     points = optimise(points, quads, fixed)
     top = image(points, quads, outline_top)
     if scaled_jacobian(top, quads).min() < scaled_jacobian(points, quads).min() - 0.02:
         top = optimise(top, quads, fixed)
-    cap = CapMesh(name, counts, points, top, quads)
+    cap = CapMesh(name, shares, points, top, quads)
     low, mean = cap.quality()
     print(f"cap: {name}: {len(quads)} quads, scaled Jacobian {low:.3f} to mean {mean:.3f}")
     if low > 0.01 and _is_simple(quads):

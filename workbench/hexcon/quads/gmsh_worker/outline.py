@@ -18,7 +18,8 @@ class Outline:
     turn[l]      (k,) float: angle in radians by which the outline turns left at the start of each edge, on the cap
                  where it turns less
     direction[l] (k,) float: angle in radians of the outline at the start of each edge
-    place        callable: list of counts per loop -> list of (N,2) boundary points per loop
+    place        callable: shares -> list of (N,2) boundary points per loop; shares: list per loop of list per edge of
+                 (n,) parts of its length at which its intervals begin, the first 0 (see even)
     place_top    callable: the same for the other cap, in its own plane
     size         wanted edge length
     """
@@ -38,6 +39,11 @@ class Outline:
         """The scaled Jacobian no all-quad mesh can exceed: the sine of the sharpest corner."""
         sharp = [np.pi - t for turn in self.turn for t in turn if t > np.pi / 2]
         return float(np.sin(min(sharp))) if sharp else 1.0
+
+
+def even(counts):
+    """Shares of equal intervals, for counts per loop and edge."""
+    return [[np.arange(n) / n for n in c] for c in counts]
 
 
 def least_count(turning, closed):

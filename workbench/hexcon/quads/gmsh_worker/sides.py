@@ -18,48 +18,49 @@ class Rings:
     after    (Nb,): the next boundary point of the same loop
     """
 
-    def __init__(self, solid, sweep, counts, size):
+    def __init__(self, solid, sweep, shares, size):
+        """shares: of the cap's Outline, per loop and edge."""
         self.solid, self.sweep = solid, sweep
         self.stops = _ring_stops(solid, sweep, size)
-        total = int(sum(c.sum() for c in counts))
+        total = sum(len(s) for loop in shares for s in loop)
         self.points = np.full((self.stops[-1] + 1, total, 3), np.nan)
         self.faces = np.zeros((self.stops[-1], total), int)
         self.after = np.empty(total, int)
         self.blocks = []          # (CAD face, first ring, last ring, boundary points (n+1,), its edges in parameters)
         at = 0
-        for columns, c in zip(sweep.loops, counts):
-            self._place_loop(columns, np.asarray(c), at)
-            at += int(c.sum())
+        for columns, loop in zip(sweep.loops, shares):
+            self._place_loop(columns, loop, at)
+            at += sum(map(len, loop))
         self._fill_blocks()
 
-    def _place_loop(self, columns, counts, at):
+    def _place_loop(self, columns, shares, at):
         """Points on all CAD edges of one loop's walls."""
-        total = int(counts.sum())
+        total = sum(map(len, shares))
         self.after[at:at + total] = at + (np.arange(total) + 1) % total
         owner = front_edges(columns, 0)[1]
-        share = _level_fractions(self.solid, columns, self.stops)
+        rise = _level_fractions(self.solid, columns, self.stops)
         first = at
         for k, column in enumerate(columns):
-            mine = counts[owner == k]
-            n = int(mine.sum())
+            mine = [s for s, column_of in zip(shares, owner) if column_of == k]
+            n = sum(map(len, mine))
             ids = at + (first - at + np.arange(n + 1)) % total
             self._place_fronts(column, mine, ids)
-            self.points[:, ids[0]] = self._chain(column.left, share)
+            self.points[:, ids[0]] = self._chain(column.left, rise)
             levels = [0] + [self.stops[-1]] if len(column.faces) == 1 else self.stops
             for level, (face, low, high) in enumerate(zip(column.faces, levels[:-1], levels[1:])):
-                self.blocks.append((face, low, high, ids, self._edges_on_face(column, level, mine, share)))
+                self.blocks.append((face, low, high, ids, self._edges_on_face(column, level, mine, rise)))
                 self.faces[low:high, ids[:-1]] = face
             first += n
 
-    def _place_fronts(self, column, counts, ids):
+    def _place_fronts(self, column, shares, ids):
         levels = [0, self.stops[-1]] if len(column.faces) == 1 else self.stops
         for ring, front in zip(levels, column.fronts):
-            self.points[ring, ids[:-1]] = chain_points(self.solid, front, counts)
+            self.points[ring, ids[:-1]] = chain_points(self.solid, front, shares)
 
-    def _chain(self, chain, share):
-        """(R+1,3): points up a lateral chain; `share` are its arc-length fractions per ring if it is one edge."""
+    def _chain(self, chain, rise):
+        """(R+1,3): points up a lateral chain; `rise` are its arc-length fractions per ring if it is one edge."""
         if len(chain) == 1:
-            return self.solid.edge_points(chain[0], share)
+            return self.solid.edge_points(chain[0], rise)
         parts = [self.solid.edge_points(e, np.arange(b - a + 1) / (b - a))
                  for e, a, b in zip(chain, self.stops[:-1], self.stops[1:])]
         return np.concatenate([parts[0]] + [p[1:] for p in parts[1:]])
@@ -104,12 +105,12 @@ class Rings:
         result[1:-1, 1:-1] = self.solid.face_points(face, grid).reshape(grid.shape[:2] + (3,))
         return result
 
-    def _edges_on_face(self, column, k, counts, share):
+    def _edges_on_face(self, column, k, shares, rise):
         """Callable -> (bottom, right, top, left) surface parameters round face k of a column."""
         face, solid = column.faces[k], self.solid
 
         def front(edges):
-            parts = [solid.edge_on_face(e, np.arange(n + 1) / n, face) for e, n in zip(edges, counts)]
+            parts = [solid.edge_on_face(e, np.append(s, 1.0), face) for e, s in zip(edges, shares)]
             return np.concatenate([parts[0]] + [q[1:] for q in parts[1:]])
 
         def lateral(chain, side):
@@ -117,7 +118,7 @@ class Rings:
                 rings = self.stops[k + 1] - self.stops[k]
                 return solid.edge_on_face(chain[k], np.arange(rings + 1) / rings, face, side)
             if len(chain) == 1:
-                return solid.edge_on_face(chain[0], share, face, side)
+                return solid.edge_on_face(chain[0], rise, face, side)
             parts = [solid.edge_on_face(e, np.arange(b - a + 1) / (b - a), face, side)
                      for e, a, b in zip(chain, self.stops[:-1], self.stops[1:])]
             return np.concatenate([parts[0]] + [q[1:] for q in parts[1:]])

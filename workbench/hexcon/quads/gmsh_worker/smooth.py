@@ -34,22 +34,25 @@ def space_quality(points, quads):
     return (np.einsum("nkd,nd->nk", np.cross(a, b), normal) / np.maximum(scale, _TINY)).min(axis=1)
 
 
-def optimise(points, quads, fixed, budget=4_000_000):
+def optimise(points, quads, fixed, budget=4_000_000, slides=None):
     """Points (m,2) with the worst scaled Jacobian raised; never worse than given. fixed (m,) bool.
+
+    slides: (rows (k,), directions (k,2) unit) of fixed points that may move along a line.
 
     A descent on sum (1/sine)^p plus a little for aspect ratio, p rising, so that the worst corners
     come to rule; an inverted start is untangled by the regularised determinant first.
     budget: corner evaluations allowed, about one second for 4e6.
     """
     free = np.flatnonzero(~fixed)
-    if not len(free):
+    if not len(free) and slides is None:
         return points
+    slides = slides if slides is not None else (np.empty(0, int), np.empty((0, 2)))
     rounds = int(np.clip(budget / (4 * len(quads)) / 6, 12, 120))
     best, best_key = points, _key(points, quads)
     current = points
     for power, aspect in ((1, 1.0), (2, 0.3), (4, 0.1), (8, 0.03), (12, 0.01)):
         for _ in range(4):
-            current = _descend(current, quads, free, power, aspect, rounds)
+            current = _descend(current, quads, free, slides, power, aspect, rounds)
             if scaled_jacobian(current, quads).min() > 0.01:
                 break
         key = _key(current, quads)
@@ -65,25 +68,27 @@ def _key(points, quads):
     return min(0.01, float(sj.min())), 0.75 * float(sj.min()) + 0.25 * float(sj.mean())
 
 
-def _descend(points, quads, free, power, aspect, rounds):
-    """L-BFGS from SciPy on the free coordinates, in units of the mean quad so that its first step fits."""
+def _descend(points, quads, free, slides, power, aspect, rounds):
+    """L-BFGS from SciPy on the free coordinates and the ways along slides, in units of the mean quad so that its first
+    step fits."""
     det = corners(points, quads)[2]
     size = float(np.abs(det).mean())
     valid = det.min() > 1e-3 * size
     eps = 1e-3 * size if valid else max(1e-3 * size, -0.5 * float(det.min()))   # never 0: line searches need
     reference = 1.0 / max(scaled_jacobian(points, quads).min(), 0.05) if valid else 1.0     # finite values
-    unit = np.sqrt(size)
+    unit, (rows, ways), split = np.sqrt(size), slides, 2 * len(free)
 
     def moved(x):
         result = points.copy()
-        result[free] = x.reshape(-1, 2) * unit
+        result[free] = x[:split].reshape(-1, 2) * unit
+        result[rows] += x[split:, None] * ways * unit
         return result
 
     def value(x):
         e, g = _energy(moved(x), quads, power if valid else 1, aspect, eps, reference)
-        return e, g[free].ravel() * unit
+        return e, np.concatenate([g[free].ravel(), (g[rows] * ways).sum(axis=1)]) * unit
 
-    start = points[free].ravel() / unit
+    start = np.concatenate([points[free].ravel() / unit, np.zeros(len(rows))])
     found = minimize(value, start, jac=True, method="L-BFGS-B",
                      options={"maxiter": rounds, "maxcor": 8, "maxls": 30, "ftol": 1e-9, "gtol": 1e-9})
     return moved(found.x)

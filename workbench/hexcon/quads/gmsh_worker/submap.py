@@ -6,7 +6,7 @@ rectangular holes.
 """
 import numpy as np
 
-from .outline import balanced, rounded
+from .outline import balanced, even, rounded
 from .plane_mesh import coons, harmonic
 
 # Densities tried in turn until the lattice polygon does not touch itself, and interval counts of the longest edge
@@ -88,13 +88,13 @@ def _lattice(outline, headings, counts):
         paths.append(np.concatenate([[[0, 0]], np.cumsum(step, axis=0)])[:-1])
         steps.append(step)
     if len(paths) > 1:
-        _place_holes(paths, outline.place(counts))
+        _place_holes(paths, outline.place(even(counts)))
     low = paths[0].min(axis=0)
     nodes = np.concatenate(paths) - low
     if nodes.min() < 0 or (nodes.max(axis=0) > (paths[0] - low).max(axis=0)).any():
         return None
-    inside = _inside(nodes, np.concatenate(steps))
-    ids = _numbers(nodes, inside)
+    inside = inside_of(nodes, np.concatenate(steps))
+    ids = numbered(nodes, inside)
     return None if ids is None else (ids, inside)
 
 
@@ -107,7 +107,7 @@ def _place_holes(paths, places):
         paths[k] = paths[k] + np.rint(middle + 1e-6).astype(int)
 
 
-def _inside(nodes, steps):
+def inside_of(nodes, steps):
     """(w,h) bool: lattice cells inside the polygon, by parity of the vertical edges to their left."""
     size = nodes.max(axis=0)
     toggles = np.zeros((size[0] + 1, size[1]), int)
@@ -117,7 +117,7 @@ def _inside(nodes, steps):
     return (np.cumsum(toggles, axis=0)[:-1] % 2).astype(bool)
 
 
-def _numbers(nodes, inside):
+def numbered(nodes, inside):
     """Point numbers on the lattice, boundary first; None if a boundary point is met twice or lies inside."""
     w, h = inside.shape
     neighbours = np.zeros((w + 1, h + 1), int)

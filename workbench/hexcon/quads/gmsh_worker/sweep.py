@@ -33,7 +33,7 @@ def _sweep(solid, choice, size, link):
     sweep, plane, top_plane = orient(solid, choice)
     outline = outline_of(solid, sweep, plane, top_plane, size)
     cap = mesh_cap(outline, link, f"cap Face{sweep.bottom}")
-    rings = Rings(solid, sweep, cap.counts, size)
+    rings = Rings(solid, sweep, cap.shares, size)
     total = rings.points.shape[1]
     lower = _on_face(solid, sweep.bottom, plane, cap.points, cap.quads, rings.points[0])
     upper = _on_face(solid, sweep.top, top_plane, cap.top, cap.quads, rings.points[-1])

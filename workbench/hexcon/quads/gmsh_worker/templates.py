@@ -4,9 +4,12 @@
 Each template has a plan (Outline -> interval counts per loop, or None where it does not apply) and a
 mesh (Outline, counts, boundary (Nb,2) -> points, quads; or None). Points 0..Nb-1 are the boundary, loop after loop.
 """
+from functools import partial
+
 import numpy as np
 
-from .outline import rounded, with_total
+from .outline import even, rounded, with_total
+from .plane.lattice import lattice_plan, lattice_template
 from .plane_mesh import Builder
 from .submap import submap_mesh, submap_plan
 
@@ -278,7 +281,7 @@ def ring_plan(outline):
 def _edge_shift(outline):
     """s: outer vertex i lies over hole vertex (s - i) mod k."""
     ones = [np.ones(len(d), int) for d in outline.desired]
-    outer, inner = outline.place(ones)
+    outer, inner = outline.place(even(ones))
     k = len(outer)
     costs = [np.linalg.norm(outer - inner[(s - np.arange(k)) % k], axis=1).sum() for s in range(k)]
     return int(np.argmin(costs))
@@ -311,7 +314,14 @@ def ring_mesh(outline, counts, boundary):
     return build.result()
 
 
+_RINGED = {f"lattice, o-grid {' and '.join(rings)}": (lattice_plan, partial(lattice_template, rings=rings))
+           for rings in (("holes",), ("outer",), ("outer", "holes"))}
+
 # name -> (plan, mesh)
 TEMPLATES = {"mapped": (submap_plan, submap_mesh), "midpoint": (midpoint_plan, midpoint_mesh),
              "o-grid": (ogrid_plan, ogrid_mesh),
-             "half o-grid": (half_ogrid_plan, half_ogrid_mesh), "ring": (ring_plan, ring_mesh)}
+             "half o-grid": (half_ogrid_plan, half_ogrid_mesh), "ring": (ring_plan, ring_mesh),
+             "lattice": (lattice_plan, lattice_template), **_RINGED}
+
+IF_POOR = {name for name in _RINGED if "outer" in name}
+"""Of them those that are worth a try only where no other is good: a ring along the outline splits its corners."""

@@ -7,13 +7,13 @@ import numpy as np
 from .. import paved
 from ..link import Link
 from ..smooth import optimise, scaled_jacobian
-from ..templates import TEMPLATES
+from ..templates import IF_POOR, TEMPLATES
 
 GOOD = 0.75         # a structured mesh this good, as a share of what the corners allow, is taken without gmsh
 BONUS = 0.05        # what regular structure is worth, in scaled Jacobian
 LEAST = 0.02        # a mesh with a worse quad is none
 FEWEST = 4          # boundary points
-PAVED = (("direct", 6), ("direct", 8), ("halved", 6), ("direct", 5), ("halved", 5))    # road, gmsh's algorithm
+PAVED = (("direct", 6), ("halved", 6), ("direct", 5), ("halved", 5))    # road, gmsh's algorithm
 ENOUGH = 0.6        # of what the corners allow: gmsh's first mesh this good is taken
 
 
@@ -50,7 +50,10 @@ def mesh_plane(region, size, link=None, label="region"):
     Cost: a few optimisations of n quads each, O(n) an iteration.
     """
     _check(region)
-    tried = [mesh for name, build in TEMPLATES.items() if (mesh := _templated(region, size, name, build)) is not None]
+    tried = []
+    for name, template in TEMPLATES.items():
+        if name not in IF_POOR or max((mesh.low for mesh in tried), default=0.0) < GOOD * region.limit:
+            tried += _templated(region, size, name, template)
     if max((mesh.low for mesh in tried), default=0.0) < GOOD * region.limit:
         tried += _paved(region, size, link or Link(), label)
     if not tried:
@@ -69,15 +72,16 @@ def _check(region):
         raise NoPlaneMesh("the boundary encloses no area")
 
 
-def _templated(region, size, name, build):
-    outline, counts = region.outline(size), [np.ones(len(loop), int) for loop in region.loops]
+def _templated(region, size, name, template):
+    """[PlaneMesh] or []."""
     if not _applies(region, name):
-        return None
+        return []
+    outline, counts = region.outline(size), [np.ones(len(loop), int) for loop in region.loops]
     try:
-        made = build[1](outline, counts, region.boundary)
+        made = judged(region, template[1](outline, counts, region.boundary), name)
     except (ValueError, IndexError, TypeError):     # a template that asks for other counts
-        return None
-    return judged(region, made, name)
+        return []
+    return [] if made is None else [made]
 
 
 def _applies(region, name):
@@ -86,7 +90,9 @@ def _applies(region, name):
     wanted = {"o-grid": (1, 0), "half o-grid": (1, 2)}
     if name in wanted:
         return (len(region.loops), corners[0]) == wanted[name]
-    return len(region.loops) == 2 if name == "ring" else len(region.loops) == 1 or name == "mapped"
+    if name == "ring":
+        return len(region.loops) == 2
+    return len(region.loops) == 1 or name == "mapped" or name.startswith("lattice")
 
 
 def _paved(region, size, link, label):

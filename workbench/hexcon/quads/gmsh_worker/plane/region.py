@@ -61,7 +61,18 @@ class PlaneRegion:
         ways = [np.roll(loop, -1, axis=0) - loop for loop in self.loops]
         ones = [np.ones(len(loop), int) for loop in self.loops]
         return Outline([one.astype(float) for one in ones], ones, self.turns,
-                       [np.arctan2(w[:, 1], w[:, 0]) for w in ways], lambda counts: self.loops, None, size)
+                       [np.arctan2(w[:, 1], w[:, 0]) for w in ways], lambda shares: self.loops, None, size)
+
+
+def region_of(outline, counts, boundary):
+    """The PlaneRegion of an Outline divided by counts per loop and edge, boundary (Nb,2)."""
+    ends = np.cumsum([int(np.sum(c)) for c in counts])
+    turns = []
+    for turn, c in zip(outline.turn, counts):
+        at = np.zeros(int(np.sum(c)))
+        at[np.cumsum(c) - c] = turn
+        turns.append(at)
+    return PlaneRegion(np.split(np.asarray(boundary, float), ends[:-1]), turns)
 
 
 def _corners_of(loop):

@@ -14,21 +14,21 @@ class Loops:
         self.loops.sort(key=lambda loop: -abs(_area(loop)))
         self.loops[1:] = [[(k, c.reversed()) for k, c in reversed(loop)] for loop in self.loops[1:]]
 
-    def place(self, counts):
-        """list of (N,2) points for counts per loop and curve; vertices as they are."""
+    def place(self, shares):
+        """list of (N,2) points at shares of each curve's length, per loop and curve; vertices as they are."""
         placed = []
-        for loop, numbers in zip(self.loops, counts):
-            parts = [c.at(np.arange(n) / n) for (_, c), n in zip(loop, numbers)]
+        for loop, own in zip(self.loops, shares):
+            parts = [c.at(s) for (_, c), s in zip(loop, own)]
             for part, (_, c) in zip(parts, loop):
                 part[0] = self.section.vertices[c.ends[0]]
             placed.append(np.concatenate(parts))
         return placed
 
-    def volume(self, counts, cores):
+    def volume(self, shares, cores):
         """Of the section's polygon turned round: what the mesh would have with many quads round (Pappus)."""
         total = 0.0
-        for loop, numbers, points in zip(self.loops, counts, self.place(counts)):
-            own = np.repeat([c.band >= 0 for _, c in loop], numbers)
+        for loop, parts, points in zip(self.loops, shares, self.place(shares)):
+            own = np.repeat([c.band >= 0 for _, c in loop], [len(s) for s in parts])
             total += _frusta(points[own], np.roll(points, -1, axis=0)[own])
         return total + sum(_frusta(c.low.fine[:-1], c.low.fine[1:]) - _frusta(c.high.fine[:-1], c.high.fine[1:])
                            for c in cores)

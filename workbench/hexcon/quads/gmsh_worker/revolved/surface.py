@@ -66,7 +66,7 @@ def _section_mesh(loops, cores, volume, size, link):
              for loop in loops.loops]
     for _ in range(REFINEMENTS):
         cap = mesh_cap(_outline(loops, size, least), link, "section")
-        off = loops.volume(cap.counts, cores) / volume - 1.0
+        off = loops.volume(cap.shares, cores) / volume - 1.0
         finer = 1.02 * np.sqrt(abs(off) / (OF_SECTION * MOST_VOLUME))
         if finer <= 1.02:
             break
