@@ -869,6 +869,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>solids whose faces lie across one direction or along it, or are seen from it: plates with bosses, pockets, steps, holes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>grid</source>
         <translation type="unfinished"></translation>
     </message>
@@ -938,6 +946,10 @@
     </message>
     <message>
         <source>Turned part: turning the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layers: the solid's outlines and levels</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -79,7 +79,8 @@ def test_it_can_be_cancelled(tmp_path):
 
 def test_no_grid_is_tried_again_at_a_smaller_size(tmp_path):
     """It tries parts of the size by itself: auto's next sizes are for the methods after it."""
-    path = cad_file(BLIND, tmp_path / "solid.brep")
+    build = "occ.cut([(3, occ.addBox(0, 0, 0, 9, 9, 9))], [(3, occ.addSphere(4, 4, 4, 2))])"
+    path = cad_file(build, tmp_path / "solid.brep")
     assert surface_from_solid(path, 1.5).method == "grid"
     assert surface_from_solid(path, 1.5, care=1).method == "subdivided-triangles"
     with pytest.raises(ToolError) as caught:

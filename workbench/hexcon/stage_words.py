@@ -16,6 +16,7 @@ AROUND = {
     "mesh": "Surface: quads by gmsh",
     "section": "Turned part: quads of half a section",
     "turn": "Turned part: turning the section",
+    "levels": "Layers: the solid's outlines and levels",
     "features": "Grid: the solid's faces, edges and corners",
     "cells": "Grid: which cells are inside",
     "capture": "Grid: taking up edges and corners",

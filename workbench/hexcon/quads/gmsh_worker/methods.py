@@ -52,15 +52,18 @@ _ROWS = (
     SurfaceMethod("revolved", "revolved", "turned parts: bodies of revolution by a full turn, with any profile",
                   "revolved.surface.revolved_surface", turn=3, refusal="NOT_REVOLVED", refused="not revolved",
                   filled_by="proposal"),
+    SurfaceMethod("layered", "layers", "solids whose faces lie across one direction or along it, or are seen from it: "
+                  "plates with bosses, pockets, steps, holes", "layered.tries.layered_surface", ("timeout", "care"), turn=4,
+                  refusal="NOT_LAYERED", refused="not layered", leaves_out=True, filled_by="proposal"),
     SurfaceMethod("grid", "grid", "any solid whose features are not much smaller than the elements: a grid of hexes that "
-                  "takes them up", "grid.tries.grid_surface", ("timeout", "care", "sizes"), turn=4, refused="not gridded",
+                  "takes them up", "grid.tries.grid_surface", ("timeout", "care", "sizes"), turn=5, refused="not gridded",
                   filled_by="proposal"),
     # Hexes inside: 3 a quad on triangles, 10 to 22, and worse ones, where there are coarse quads.
     SurfaceMethod("subdivided", "subdivided quads", "any solid: gmsh's quads and triangles, each cut about its middle",
-                  "whole.whole_surface", ("method", "sizes"), turn=6, leaves_out=True, filled_by="diced", hexes_a_quad=10),
+                  "whole.whole_surface", ("method", "sizes"), turn=7, leaves_out=True, filled_by="diced", hexes_a_quad=10),
     SurfaceMethod("subdivided-triangles", "subdivided triangles",
                   "any solid: gmsh's triangles, each cut into three quads", "triangles.triangle_surface", ("care", "sizes"),
-                  turn=5, refused="no subdivided triangles", leaves_out=True, filled_by="diced", hexes_a_quad=3,
+                  turn=6, refused="no subdivided triangles", leaves_out=True, filled_by="diced", hexes_a_quad=3,
                   diced_first=True),
     SurfaceMethod("blossom", "blossom", "any solid, by luck: gmsh's triangles, paired to quads; few and even ones",
                   "whole.whole_surface", ("method", "sizes"), filled_by="shelling", hexes_a_quad=4),

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CAD edges seen along a direction: curves of a plane."""
+import numpy as np
+from scipy.spatial import cKDTree
+
+SAMPLES = 129       # of a curved edge
+
+
+class FlatEdge:
+    """fractions (n,), xy (n,2): samples along an edge, of its arc length in space."""
+
+    def __init__(self, solid, plane, edge):
+        self.edge, self._solid, self._plane = edge, solid, plane
+        self.fractions = np.linspace(0.0, 1.0, 2 if solid.is_line(edge) else SAMPLES)
+        self.xy = self.at(self.fractions)
+        self.low, self.high = self.xy.min(0), self.xy.max(0)
+        self.closed = solid.ends[edge][0] == solid.ends[edge][1]
+
+    def at(self, fractions):
+        """(n,2) places at fractions."""
+        return self._plane.flat(self.places(fractions))
+
+    def places(self, fractions):
+        """(n,3) points of the CAD edge."""
+        return self._solid.edge_points(self.edge, np.clip(fractions, 0.0, 1.0))
+
+    def locate(self, points, low=0.0, high=1.0):
+        """((n,) fractions between low and high of the nearest places, (n,) how far they are in the plane).
+
+        From the nearest sample by Newton's steps; linear.
+        """
+        points = np.asarray(points, float).reshape(-1, 2)
+        dense = np.linspace(low, high, 2 * SAMPLES)
+        if len(self.fractions) == 2:
+            a, d = self.xy[0], self.xy[1] - self.xy[0]
+            f = ((points - a) @ d / max(d @ d, 1e-300)).clip(low, high)
+            return f, np.linalg.norm(a + f[:, None] * d - points, axis=1)
+        f = dense[cKDTree(self.at(dense)).query(points)[1]]
+        step = 1e-4
+        for _ in range(6):
+            before, here, after = (self.at(f + k * step) for k in (-1, 0, 1))
+            one, two = (after - before) / (2 * step), (after - 2 * here + before) / step ** 2
+            off = here - points
+            slope = (one * one).sum(1) + (two * off).sum(1)
+            slope = np.where(slope > 0.1 * (one * one).sum(1), slope, (one * one).sum(1))
+            f = (f - (one * off).sum(1) / np.maximum(slope, 1e-300)).clip(low, high)
+        return f, np.linalg.norm(self.at(f) - points, axis=1)
+
+
+def crossings(a, b):
+    """(n,2) fractions of two FlatEdges at which they cross, and (n,2) places."""
+    p, r = a.xy[:-1, None], np.diff(a.xy, axis=0)[:, None]
+    q, s = b.xy[None, :-1], np.diff(b.xy, axis=0)[None]
+    det = r[..., 0] * s[..., 1] - r[..., 1] * s[..., 0]
+    flat = np.abs(det) <= 1e-12 * np.linalg.norm(r, axis=-1) * np.linalg.norm(s, axis=-1)
+    det = np.where(flat, 1.0, det)
+    d = q - p
+    t = (d[..., 0] * s[..., 1] - d[..., 1] * s[..., 0]) / det
+    u = (d[..., 0] * r[..., 1] - d[..., 1] * r[..., 0]) / det
+    i, j = np.nonzero(~flat & (t >= 0) & (t <= 1) & (u >= 0) & (u <= 1))
+    f = np.stack([a.fractions[i] + t[i, j] * (a.fractions[i + 1] - a.fractions[i]),
+                  b.fractions[j] + u[i, j] * (b.fractions[j + 1] - b.fractions[j])], 1)
+    return _refined(a, b, f)
+
+
+def _refined(a, b, f):
+    """The crossing fractions put right by Newton's method, and their places."""
+    step = 1e-5
+    for _ in range(5):
+        if not len(f):
+            break
+        gap = a.at(f[:, 0]) - b.at(f[:, 1])
+        da, db = ((c.at(x + step) - c.at(x - step)) / (np.clip(x + step, 0, 1) - np.clip(x - step, 0, 1))[:, None]
+                  for c, x in ((a, f[:, 0]), (b, f[:, 1])))
+        det = -da[:, 0] * db[:, 1] + da[:, 1] * db[:, 0]
+        det = np.where(np.abs(det) < 1e-9 * np.linalg.norm(da, axis=1) * np.linalg.norm(db, axis=1), np.inf, det)
+        move = np.stack([-gap[:, 0] * -db[:, 1] + gap[:, 1] * -db[:, 0],
+                         -da[:, 0] * gap[:, 1] + da[:, 1] * gap[:, 0]], 1) / det[:, None]
+        f = (f + np.clip(move, -0.02, 0.02)).clip(0.0, 1.0)
+    return f, a.at(f[:, 0]) if len(f) else np.empty((0, 2))

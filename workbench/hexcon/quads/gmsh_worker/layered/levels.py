@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The levels of a layered solid: sheets of nodes that columns have in common.
+
+The ends of columns that continue one another over a piece are one level, and so are plane caps of one height. A level
+goes on through material: over every piece into the column beyond, where that is open at its height. So columns with a
+wall between them have their nodes there in common.
+"""
+import numpy as np
+
+from .fault import NotLayered
+from .heights import MIDDLES
+
+
+class Levels:
+    """stacks: per column the levels upwards, its own ends included; nominal: level -> mean height.
+
+    near: levels of caps in one column that differ by less become one sheet, where no wall needs both
+    """
+
+    def __init__(self, arrangement, columns, heights, solid, equal, near=0.0):
+        self._pieces, self._columns, self._heights, self._solid = arrangement.pieces, columns, heights, solid
+        self._equal = equal
+        self._root = {(k, e): (k, e) for k in range(len(columns)) for e in (0, 1)}
+        of_region = {}
+        for k, c in enumerate(columns):
+            of_region.setdefault(c.region, []).append(k)
+        self._beside = [(c, of_region.get(a, []), of_region.get(b, [])) for c, a, b in arrangement.neighbours()]
+        self._members = {x: {x} for x in self._root}
+        self._walls = set()
+        self._join_continuous()
+        self._join_equal()
+        self.stacks = self._spread()
+        if near:
+            self._join_near(near)
+
+    def level(self, end):
+        """The level of the end (column, 0 low or 1 high)."""
+        while self._root[end] != end:
+            end = self._root[end]
+        return end
+
+    def ends_of(self, level):
+        """Ends (column, 0 or 1) that are of a level."""
+        return sorted(self._members[level])
+
+    def _join(self, x, y):
+        a, b = sorted((self.level(x), self.level(y)))
+        if a != b:
+            self._root[b] = a
+            self._members[a] |= self._members.pop(b)
+
+    def _apart(self, x, y):
+        """Whether a column ends in both, or a wall joins them."""
+        a, b = self._members[self.level(x)], self._members[self.level(y)]
+        if {k for k, _ in a} & {k for k, _ in b}:
+            return True
+        small, large = sorted((a, b), key=len)
+        return any((p, q) in self._walls or (q, p) in self._walls for p in small for q in large) \
+            if len(small) * len(large) < 4 * len(self._walls) else \
+            any((p in a and q in b) or (p in b and q in a) for p, q in self._walls)
+
+    def _over(self, c, end):
+        """(3,) heights of an end over MIDDLES of a piece."""
+        return self._heights.over_piece(c, self._columns[end[0]].cap(end[1]))
+
+    def _join_continuous(self):
+        for c, left, right in self._beside:
+            for a in left:
+                for b in right:
+                    if self._meet(c, a, b):
+                        for e in (0, 1):
+                            self._join_over(c, (a, e), (b, e))
+                            self._walls.add(((a, e), (b, 1 - e)))
+
+    def _meet(self, c, a, b):
+        """Whether two columns have material in common over a piece."""
+        low = np.maximum(self._over(c, (a, 0)), self._over(c, (b, 0)))
+        high = np.minimum(self._over(c, (a, 1)), self._over(c, (b, 1)))
+        return bool((high - low > self._equal).any())
+
+    def _join_over(self, c, x, y):
+        caps = [self._columns[k].cap(e) for k, e in (x, y)]
+        shared = any(set(caps) <= set(self._solid.faces_of[s[0].edge]) for s in self._pieces[c].sources)
+        if caps[0] == caps[1] or shared or np.abs(self._over(c, x) - self._over(c, y)).max() < self._equal:
+            self._join(x, y)
+        else:
+            self._walls.add((x, y))
+
+    def _join_equal(self):
+        plane = [x for x in self._root if self._flat(x)]
+        plane.sort(key=lambda x: (self._height(x), x))
+        for x, y in zip(plane, plane[1:]):
+            if self._height(y) - self._height(x) < self._equal and not self._apart(x, y):
+                self._join(x, y)
+
+    def _flat(self, end):
+        cap = self._columns[end[0]].cap(end[1])
+        return self._heights.is_level(cap)
+
+    def _height(self, end):
+        return self._heights.middle(self._columns[end[0]].cap(end[1]))
+
+    def _nominal(self):
+        found = {}
+        for level, ends in self._members.items():
+            found[level] = float(np.mean([self._height(x) for x in sorted(ends)]))
+        return found
+
+    def _spread(self):
+        """The stacks; sets nominal. Levels that turn out to be one on the way are joined, and all begins again."""
+        while True:
+            self.nominal = self._nominal()
+            has = [{self.level((k, 0)), self.level((k, 1))} for k in range(len(self._columns))]
+            if self._spread_all(has):
+                return [self._stack(k, levels) for k, levels in enumerate(has)]
+
+    def _spread_all(self, has):
+        beside = [[] for _ in self._columns]
+        for c, left, right in self._beside:
+            for a in left:
+                for b in right:
+                    if a != b:
+                        beside[a].append((c, b))
+                        beside[b].append((c, a))
+        todo = [(k, level) for k, levels in enumerate(has) for level in sorted(levels)]
+        while todo:
+            k, level = todo.pop()
+            for c, other in beside[k]:
+                if level in has[other]:
+                    continue
+                z = self._at(c, k, level)
+                low, high = self._over(c, (other, 0)), self._over(c, (other, 1))
+                for end, value in ((0, low), (1, high)):
+                    if np.abs(z - value).max() < self._equal:
+                        self._join_met(level, self.level((other, end)), c)
+                        return False
+                if (z > low).all() and (z < high).all():
+                    has[other].add(level)
+                    todo.append((other, level))
+                elif (z > low).any() and (z < high).any():
+                    raise NotLayered("a level leaves the material: a ramp ends on a wall",
+                                     [self._columns[other].low, self._columns[other].high])
+        return True
+
+    def _join_met(self, one, other, c):
+        if self._apart(one, other):
+            raise NotLayered("two levels that a wall joins meet elsewhere",
+                             {self._columns[k].cap(e) for k, e in self._members[one] | self._members[other]})
+        self._join(one, other)
+
+    def _at(self, c, column, level):
+        """(3,) heights of a level that a column has, over MIDDLES of a piece."""
+        for k in self._sides(c):
+            for e in (0, 1):
+                if self.level((k, e)) == level:
+                    return self._over(c, (k, e))
+        return np.full(len(MIDDLES), self.nominal[level])
+
+    def _sides(self, c):
+        if not hasattr(self, "_of_piece"):
+            self._of_piece = {p: left + right for p, left, right in self._beside}
+        return self._of_piece[c]
+
+    def _stack(self, k, levels):
+        low, high = self.level((k, 0)), self.level((k, 1))
+        if low == high:
+            raise NotLayered("a column begins and ends in one level: a wedge",
+                             [self._columns[k].low, self._columns[k].high])
+        return [low, *sorted(levels - {low, high}, key=lambda x: self.nominal[x]), high]
+
+    def _join_near(self, near):
+        """Join levels of one column that are near each other, the nearest first; each changes what spreads."""
+        while True:
+            pairs = {}
+            for stack in self.stacks:
+                for a, b in zip(stack[:-1], stack[1:]):
+                    gap = self.nominal[b] - self.nominal[a]
+                    if gap < near and not self._apart(a, b):
+                        pairs[tuple(sorted((a, b)))] = gap
+            if not pairs:
+                return
+            self._join(*min(pairs, key=lambda p: (pairs[p], p)))
+            self.stacks = self._spread()

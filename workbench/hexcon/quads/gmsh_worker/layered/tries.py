@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Surface method layered: directions and sizes are tried until hexes come out that are certified and good."""
+import time
+from dataclasses import dataclass
+
+import numpy as np
+
+import hexcon_native as hn
+
+from ..boundary import CapPlane
+from ..fault import WorkerFault
+from .arrangement import arrange
+from .columns import columns
+from .extrude import extrude
+from .fault import NotLayered
+from .flat_mesh import flat_mesh
+from .heights import Heights
+from .levels import Levels
+from .roles import Role, Shape
+
+DIRECTIONS, TRIED = 12, 3       # directions looked at; those of them that are tried
+FACTORS = (1.0, 0.8, 0.62)      # parts of the size
+LEAST, POOR, GOOD = 0.2, 0.3, 0.6      # scaled Jacobian: refused below; smaller sizes are tried; nothing else is tried
+HOPELESS = 0.05                 # a direction with a worse scaled Jacobian is not tried with smaller sizes
+ENOUGH = 0.7                    # of the scaled Jacobian that corners of the outlines allow: smaller is not better
+MOST_SLANTED = 0.6              # part of the area that may lie neither across a direction nor along it
+SHARE = 0.3                     # of the time limit, in processor time: no try is begun then
+SAME_PLACE, SAME_HEIGHT = 2e-3, 1e-3    # of the size: nearer is one, seen along the direction and in height
+NEAR = 0.3                      # of the size: levels nearer than this are one bent sheet, where they can be
+MOST_VOLUME = 0.05              # part by which the volume may differ from the solid's
+
+
+@dataclass
+class Layered:
+    """mesh: extrude.LayeredMesh with its inner points at their best; volume: relative to the solid's, less 1; levels,
+    rings: how many; direction: (3,); limit: the scaled Jacobian that corners of the plane's regions allow."""
+
+    mesh: object
+    quality: object
+    certified: bool
+    volume: float
+    levels: int
+    direction: np.ndarray
+    factor: float
+    limit: float
+
+    @property
+    def good(self):
+        return self.certified and abs(self.volume) <= MOST_VOLUME and self.quality.min >= LEAST
+
+    def enough(self, least):
+        """Whether its worst scaled Jacobian is this, or as good as the outlines allow."""
+        return self.quality.min > min(least, ENOUGH * self.limit)
+
+    @property
+    def rank(self):
+        """The greater, the better."""
+        return self.good, min(self.quality.min, POOR), self.factor, self.quality.min, self.quality.mean
+
+
+def layered_surface(solid, size, link, timeout, care=0):
+    """Quads on a solid all of whose faces lie across a direction, along it, or are seen from it everywhere.
+
+    timeout: seconds for all of the surface; care: above 0 another size was tried before, with smaller ones
+    Returns a dict of points (V,3), quads (n,4), faces (n,), hexes (H,8) and notes. Raises WorkerFault NOT_LAYERED.
+    """
+    if care:
+        raise WorkerFault("NOT_LAYERED", "layers were tried at larger sizes, down to parts of this one")
+    begun = time.process_time()
+    shape = Shape(solid, size)
+    directions, refused = _directions(shape)
+    if not directions:
+        raise WorkerFault("NOT_LAYERED", "no direction in which every face lies across it, along it, or is seen from "
+                          f"it: {refused}")
+    best, faults, hopeless = None, [], set()
+    for factor in FACTORS:
+        for number, direction in enumerate(directions):
+            if number in hopeless:
+                continue
+            if time.process_time() - begun > SHARE * timeout:
+                break
+            try:
+                found = _layered(shape, direction, size * factor, factor, link)
+            except NotLayered as fault:
+                faults.append(f"along {named(direction)} at {factor:g} of the size: {fault}")
+                hopeless |= {number} if fault.faces else set()
+                continue
+            faults += _shortcomings(found)
+            hopeless |= {number} if found.quality.min < HOPELESS else set()
+            if found.good and (best is None or found.rank > best.rank):
+                best = found
+            if best is not None and best.enough(GOOD):
+                break
+        if best is not None and best.enough(POOR):
+            break
+    if best is None:
+        raise WorkerFault("NOT_LAYERED", "; ".join(faults) or "no time left")
+    return _surface(best, faults)
+
+
+def _directions(shape):
+    """(Directions to try: those with least area that lies neither across nor along; what stands against others.)"""
+    found, against = [], []
+    area = {f: shape.solid.area(f) for f in shape.solid.faces}
+    for direction in shape.directions(DIRECTIONS):
+        roles = shape.roles(direction)
+        bad = [f for f, role in roles.items() if role is Role.NONE]
+        slanted = [f for f, n in shape.normals.items() if roles[f] in (Role.UP, Role.DOWN)
+                   and np.abs(n @ direction).min() < 1.0 - 1e-8]
+        part = sum(area[f] for f in slanted) / sum(area.values())
+        if bad or part > MOST_SLANTED:
+            against.append(f"along {named(direction)} " + ", ".join(f"Face{f}" for f in (bad or slanted)[:8]))
+        else:
+            found.append((round(part, 6), len(found), direction))
+    found.sort(key=lambda row: row[:2])
+    return [d for *_, d in found][:TRIED], "; ".join(against[:3]) or "no face has an axis"
+
+
+def named(direction):
+    """A direction in words."""
+    k = int(np.argmax(np.abs(direction)))
+    if abs(direction[k]) > 1.0 - 1e-8:
+        return "xyz"[k]
+    return "(" + ", ".join(f"{x:.3g}" for x in direction) + ")"
+
+
+def _layered(shape, direction, size, factor, link):
+    """The Layered along one direction. Raises NotLayered."""
+    solid = shape.solid
+    plane, roles = CapPlane(np.zeros(3), direction), shape.roles(direction)
+    edges = [e for e in solid.edges if solid.faces_of[e][0] != solid.faces_of[e][1]]
+    link.progress("levels", 0.0)
+    arrangement = arrange(solid, plane, edges, SAME_PLACE * size)
+    heights = Heights(shape, plane, arrangement)
+    standing = columns(arrangement, roles, solid, heights)
+    levels = Levels(arrangement, standing, heights, solid, SAME_HEIGHT * size, NEAR * size)
+    link.progress("cap", 0.2)
+    flat = flat_mesh(arrangement, sorted({c.region for c in standing}), size, link)
+    link.over()
+    link.progress("levels", 0.8)
+    mesh = extrude(shape, plane, arrangement, standing, levels, heights, flat, roles, size)
+    mesh.points = hn.optimize(mesh.points, mesh.hexes, threads=1)
+    proof = hn.certify(mesh.points, mesh.hexes, mesh.quads)
+    return Layered(mesh, hn.quality(mesh.points, mesh.hexes), bool(proof.certified), _volume(mesh) / shape.volume - 1.0,
+                   len(levels.nominal), direction, factor, flat.limit)
+
+
+def _volume(mesh):
+    p = mesh.points[mesh.quads]
+    p = p - p.mean((0, 1))
+    return float((np.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 1]) / 2 * p.mean(1)).sum() / 3)
+
+
+def _shortcomings(found):
+    words = []
+    if not found.certified:
+        words.append("not certified")
+    if abs(found.volume) > MOST_VOLUME:
+        words.append(f"the volume is {100 * found.volume:+.1f} % off")
+    if found.quality.min <= POOR:
+        words.append(f"least scaled Jacobian {found.quality.min:.3f}")
+    return [f"along {named(found.direction)} at {found.factor:g} of the size: " + ", ".join(words)] if words else []
+
+
+def _surface(found, faults):
+    mesh = found.mesh
+    part = "" if found.factor == 1.0 else f" at {found.factor:g} of the size"
+    return {"points": mesh.points, "quads": mesh.quads, "faces": mesh.faces, "hexes": mesh.hexes,
+            "notes": [f"layered along {named(found.direction)}{part}: {found.levels} levels, {mesh.rings} layers, "
+                      f"{len(mesh.hexes)} hexes; volume {100 * found.volume:+.2f} %",
+                      *(f"layered: {fault}" for fault in faults)]}
