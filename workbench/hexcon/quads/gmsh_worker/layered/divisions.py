@@ -35,14 +35,15 @@ def _turning(line):
     return float(np.arccos(np.clip((d[1:] * d[:-1]).sum(1), -1, 1)).sum() * len(d) / (len(d) - 1))
 
 
-def divide(ideal, least, rows):
+def divide(ideal, least, rows, held=()):
     """(n,) int numbers of intervals.
 
     rows: of (terms: {piece: coefficient}, multiple, weight): the sum of terms is to be a multiple, or 0 where that is
           0; weight: what one off costs, beside 1 / sqrt(n) for one off n by length; None: it must hold
+    held: those whose number is their ideal one
     Raises NotLayered where the hard ones cannot hold.
     """
-    program = _Program(ideal, least)
+    program = _Program(ideal, least, held)
     for row in rows:
         program.add(*row)
     found = program.solved()
@@ -54,11 +55,13 @@ def divide(ideal, least, rows):
 class _Program:
     """Columns: a number per piece, how far each is from its ideal, then what rows need."""
 
-    def __init__(self, ideal, least):
+    def __init__(self, ideal, least, held):
         n = len(ideal)
         self._n = n
         self._cost, self._whole = [0.0] * n, [1] * n
         self._low, self._high = list(map(float, least)), list(np.maximum(4.0 * ideal + 8, least + 8))
+        for k in held:
+            self._high[k] = self._low[k]
         self._rows = []
         for k in range(n):
             off = self._column(1.0 / max(ideal[k], 1.0) ** 0.5)

@@ -18,13 +18,17 @@ _SIDES = np.array([[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
 
 @dataclass
 class LayeredMesh:
-    """points (P,3), hexes (H,8), quads (n,4) outward, faces (n,): CAD faces; rings: how many layers of hexes."""
+    """points (P,3), hexes (H,8), quads (n,4) outward, faces (n,): CAD faces; rings: how many layers of hexes; levels: how
+    many; flat: the FlatMesh, plane: the CapPlane that it is in."""
 
     points: np.ndarray
     hexes: np.ndarray
     quads: np.ndarray
     faces: np.ndarray
     rings: int
+    levels: int
+    flat: object
+    plane: object
 
 
 class Places:
@@ -71,13 +75,15 @@ class Places:
         return self.plane.height(places[~rest])[near]
 
 
-def extrude(shape, plane, arrangement, columns, levels, heights, flat, roles, size):
-    """The LayeredMesh. Raises NotLayered."""
+def extrude(shape, plane, arrangement, columns, levels, heights, flat, roles, size, layers=None):
+    """The LayeredMesh. layers: as mesh.layered_mesh takes it. Raises NotLayered."""
     places = Places(shape, plane, arrangement, heights, flat)
     around = {r: sorted({c for loop in arrangement.regions[r].loops for c, _ in loop}) for r in flat.quads}
     nodes_of = {r: np.unique(q) for r, q in flat.quads.items()}
     sheets = _sheets(places, columns, levels, around, nodes_of, size)
     rings = _rings(columns, levels, nodes_of, sheets, plane, size)
+    for a, b in rings if layers else ():
+        rings[a, b] = layers(levels.nominal[a], levels.nominal[b]) or rings[a, b]
     return _Build(places, columns, levels, nodes_of, sheets, rings).mesh(arrangement, roles)
 
 
@@ -177,7 +183,8 @@ class _Build:
         owners[walls] = self._wall_faces(arrangement, roles, points, quads[walls])
         if (owners == 0).any():
             raise NotLayered("columns do not meet: a level is missing on one side of a piece")
-        return LayeredMesh(points, hexes, quads, owners, sum(self._rings.values()))
+        return LayeredMesh(points, hexes, quads, owners, sum(self._rings.values()), len(self._sheets), flat,
+                           self._places.plane)
 
     def _layers(self, nodes, stack):
         """List of (total,) ids of points, -1 where there is none, from the lowest up."""

@@ -30,14 +30,15 @@ class FlatMesh:
     limit: float
 
 
-def flat_mesh(arrangement, used, size, link):
-    """The FlatMesh of regions. Raises NotLayered."""
+def flat_mesh(arrangement, used, size, link, fixed=None):
+    """The FlatMesh of regions. fixed: as mesh.layered_mesh takes it. Raises NotLayered."""
     pieces = sorted({c for r in used for loop in arrangement.regions[r].loops for c, _ in loop})
     outlines = {r: _Outline(arrangement, arrangement.regions[r].loops) for r in used}
+    held = {k: n for k, c in enumerate(pieces) if fixed and (n := fixed(arrangement.pieces[c]))}
     best, fault = None, None
     for part, even in ATTEMPTS:
         try:
-            counts = _counts(arrangement, pieces, outlines, size * part, even)
+            counts = _counts(arrangement, pieces, outlines, size * part, even, held)
             made = _meshed(arrangement, pieces, outlines, counts, size, link)
         except (NotLayered, NoPlaneMesh) as error:
             fault = error
@@ -77,14 +78,16 @@ def _bend(line):
     return float(np.arctan2(d[0, 0] * d[1, 1] - d[0, 1] * d[1, 0], d[0] @ d[1]))
 
 
-def _counts(arrangement, pieces, outlines, size, even):
-    """{piece: intervals}."""
+def _counts(arrangement, pieces, outlines, size, even, held):
+    """{piece: intervals}. held: row of a piece -> its number."""
     row_of = {c: k for k, c in enumerate(pieces)}
     ideal, least = ideal_counts([arrangement.pieces[c] for c in pieces], size)
-    rows = [({k: 1}, 2, None) for k in range(len(pieces))] if even else []
+    for k, n in held.items():
+        ideal[k], least[k] = n, n
+    rows = [({k: 1}, 2, None) for k in range(len(pieces)) if k not in held] if even else []
     for outline in outlines.values():
         rows += _rows([[row_of[c] for c, _ in loop] for loop in outline.loops], outline.turns, ideal)
-    return dict(zip(pieces, divide(ideal, least, rows).tolist()))
+    return dict(zip(pieces, divide(ideal, least, rows, held).tolist()))
 
 
 def _rows(loops, turns, ideal):

@@ -7,15 +7,9 @@ import numpy as np
 
 import hexcon_native as hn
 
-from ..boundary import CapPlane
 from ..fault import WorkerFault
-from .arrangement import arrange
-from .columns import columns
-from .extrude import extrude
 from .fault import NotLayered
-from .flat_mesh import flat_mesh
-from .heights import Heights
-from .levels import Levels
+from .mesh import layered_mesh
 from .roles import Role, Shape
 
 DIRECTIONS, TRIED = 12, 3       # directions looked at; those of them that are tried
@@ -25,24 +19,20 @@ HOPELESS = 0.05                 # a direction with a worse scaled Jacobian is no
 ENOUGH = 0.7                    # of the scaled Jacobian that corners of the outlines allow: smaller is not better
 MOST_SLANTED = 0.6              # part of the area that may lie neither across a direction nor along it
 SHARE = 0.3                     # of the time limit, in processor time: no try is begun then
-SAME_PLACE, SAME_HEIGHT = 2e-3, 1e-3    # of the size: nearer is one, seen along the direction and in height
-NEAR = 0.3                      # of the size: levels nearer than this are one bent sheet, where they can be
 MOST_VOLUME = 0.05              # part by which the volume may differ from the solid's
 
 
 @dataclass
 class Layered:
-    """mesh: extrude.LayeredMesh with its inner points at their best; volume: relative to the solid's, less 1; levels,
-    rings: how many; direction: (3,); limit: the scaled Jacobian that corners of the plane's regions allow."""
+    """mesh: extrude.LayeredMesh with its inner points at their best; volume: relative to the solid's, less 1;
+    direction: (3,); factor: part of the size."""
 
     mesh: object
     quality: object
     certified: bool
     volume: float
-    levels: int
     direction: np.ndarray
     factor: float
-    limit: float
 
     @property
     def good(self):
@@ -50,7 +40,7 @@ class Layered:
 
     def enough(self, least):
         """Whether its worst scaled Jacobian is this, or as good as the outlines allow."""
-        return self.quality.min > min(least, ENOUGH * self.limit)
+        return self.quality.min > min(least, ENOUGH * self.mesh.flat.limit)
 
     @property
     def rank(self):
@@ -126,23 +116,11 @@ def named(direction):
 
 def _layered(shape, direction, size, factor, link):
     """The Layered along one direction. Raises NotLayered."""
-    solid = shape.solid
-    plane, roles = CapPlane(np.zeros(3), direction), shape.roles(direction)
-    edges = [e for e in solid.edges if solid.faces_of[e][0] != solid.faces_of[e][1]]
-    link.progress("levels", 0.0)
-    arrangement = arrange(solid, plane, edges, SAME_PLACE * size)
-    heights = Heights(shape, plane, arrangement)
-    standing = columns(arrangement, roles, solid, heights)
-    levels = Levels(arrangement, standing, heights, solid, SAME_HEIGHT * size, NEAR * size)
-    link.progress("cap", 0.2)
-    flat = flat_mesh(arrangement, sorted({c.region for c in standing}), size, link)
-    link.over()
-    link.progress("levels", 0.8)
-    mesh = extrude(shape, plane, arrangement, standing, levels, heights, flat, roles, size)
+    mesh = layered_mesh(shape, direction, size, link)
     mesh.points = hn.optimize(mesh.points, mesh.hexes, threads=1)
     proof = hn.certify(mesh.points, mesh.hexes, mesh.quads)
     return Layered(mesh, hn.quality(mesh.points, mesh.hexes), bool(proof.certified), _volume(mesh) / shape.volume - 1.0,
-                   len(levels.nominal), direction, factor, flat.limit)
+                   direction, factor)
 
 
 def _volume(mesh):
@@ -166,6 +144,6 @@ def _surface(found, faults):
     mesh = found.mesh
     part = "" if found.factor == 1.0 else f" at {found.factor:g} of the size"
     return {"points": mesh.points, "quads": mesh.quads, "faces": mesh.faces, "hexes": mesh.hexes,
-            "notes": [f"layered along {named(found.direction)}{part}: {found.levels} levels, {mesh.rings} layers, "
+            "notes": [f"layered along {named(found.direction)}{part}: {mesh.levels} levels, {mesh.rings} layers, "
                       f"{len(mesh.hexes)} hexes; volume {100 * found.volume:+.2f} %",
                       *(f"layered: {fault}" for fault in faults)]}
