@@ -50,6 +50,7 @@ def direct_mesh(loops, size, algorithm):
 
 def _polygon_mesh(loops, size, algorithm):
     """(points, triangles, quads); the boundary points come first, in order; counter-clockwise."""
+    before = gmsh.model.getCurrent()
     gmsh.model.add("outline")
     try:
         for name, value in (("Algorithm", algorithm), ("RecombinationAlgorithm", 1), ("SubdivisionAlgorithm", 0),
@@ -73,7 +74,7 @@ def _polygon_mesh(loops, size, algorithm):
         return _collect(face, count)
     finally:
         gmsh.model.remove()
-        gmsh.model.setCurrent("solid")
+        gmsh.model.setCurrent(before)
 
 
 def _collect(face, boundary):

@@ -18,8 +18,8 @@ _SIDES = np.array([[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
 
 @dataclass
 class LayeredMesh:
-    """points (P,3), hexes (H,8), quads (n,4) outward, faces (n,): CAD faces; rings: how many layers of hexes; levels: how
-    many; flat: the FlatMesh, plane: the CapPlane that it is in."""
+    """points (P,3), hexes (H,8), quads (n,4) outward, faces (n,): CAD faces; rings: how many layers of hexes; levels:
+    how many; flat: the FlatMesh, plane: the CapPlane that it is in."""
 
     points: np.ndarray
     hexes: np.ndarray
@@ -76,14 +76,12 @@ class Places:
 
 
 def extrude(shape, plane, arrangement, columns, levels, heights, flat, roles, size, layers=None):
-    """The LayeredMesh. layers: as mesh.layered_mesh takes it. Raises NotLayered."""
+    """The LayeredMesh. layers: as mesh.Standing.mesh takes it. Raises NotLayered."""
     places = Places(shape, plane, arrangement, heights, flat)
     around = {r: sorted({c for loop in arrangement.regions[r].loops for c, _ in loop}) for r in flat.quads}
     nodes_of = {r: np.unique(q) for r, q in flat.quads.items()}
     sheets = _sheets(places, columns, levels, around, nodes_of, size)
-    rings = _rings(columns, levels, nodes_of, sheets, plane, size)
-    for a, b in rings if layers else ():
-        rings[a, b] = layers(levels.nominal[a], levels.nominal[b]) or rings[a, b]
+    rings = _rings(columns, levels, nodes_of, sheets, plane, size, layers or (lambda *_: None))
     return _Build(places, columns, levels, nodes_of, sheets, rings).mesh(arrangement, roles)
 
 
@@ -139,8 +137,8 @@ def _smooth(z, quads, known, nominal):
     return harmonic(z, quads, fixed)
 
 
-def _rings(columns, levels, nodes_of, sheets, plane, size):
-    """(lower level, upper level) -> layers of hexes between them."""
+def _rings(columns, levels, nodes_of, sheets, plane, size, layers):
+    """(lower level, upper level) -> (n,) shares at which layers of hexes lie between them."""
     gaps = {}
     for column, stack in zip(columns, levels.stacks):
         nodes = nodes_of[column.region]
@@ -150,8 +148,14 @@ def _rings(columns, levels, nodes_of, sheets, plane, size):
             if not gap.min() > 1e-3 * size:
                 raise NotLayered("levels meet or cross", [column.low, column.high])
             gaps.setdefault((a, b), []).append((gap.sum(), len(gap)))
-    return {pair: max(1, int(np.rint(sum(g for g, _ in rows) / sum(n for _, n in rows) / size)))
+    made = {pair: layers(*pair) for pair in gaps}
+    return {pair: _even(sum(g for g, _ in rows) / sum(n for _, n in rows) / size) if made[pair] is None else made[pair]
             for pair, rows in gaps.items()}
+
+
+def _even(layers):
+    count = max(1, int(np.rint(layers)))
+    return np.arange(count + 1) / count
 
 
 class _Build:
@@ -183,16 +187,16 @@ class _Build:
         owners[walls] = self._wall_faces(arrangement, roles, points, quads[walls])
         if (owners == 0).any():
             raise NotLayered("columns do not meet: a level is missing on one side of a piece")
-        return LayeredMesh(points, hexes, quads, owners, sum(self._rings.values()), len(self._sheets), flat,
-                           self._places.plane)
+        rings = sum(len(shares) - 1 for shares in self._rings.values())
+        return LayeredMesh(points, hexes, quads, owners, rings, len(self._sheets), flat, self._places.plane)
 
     def _layers(self, nodes, stack):
         """List of (total,) ids of points, -1 where there is none, from the lowest up."""
         layers = [self._numbered((stack[0],), nodes, self._sheets[stack[0]][nodes])]
         for a, b in zip(stack[:-1], stack[1:]):
-            n = self._rings[a, b]
             low, high = self._sheets[a][nodes], self._sheets[b][nodes]
-            layers += [self._numbered((a, b, j), nodes, low + (high - low) * (j / n)) for j in range(1, n)]
+            layers += [self._numbered((a, b, j), nodes, low + (high - low) * share)
+                       for j, share in enumerate(self._rings[a, b][1:-1], 1)]
             layers.append(self._numbered((b,), nodes, high))
         return layers
 

@@ -31,7 +31,7 @@ class FlatMesh:
 
 
 def flat_mesh(arrangement, used, size, link, fixed=None):
-    """The FlatMesh of regions. fixed: as mesh.layered_mesh takes it. Raises NotLayered."""
+    """The FlatMesh of regions. fixed: as mesh.Standing.mesh takes it. Raises NotLayered."""
     pieces = sorted({c for r in used for loop in arrangement.regions[r].loops for c, _ in loop})
     outlines = {r: _Outline(arrangement, arrangement.regions[r].loops) for r in used}
     held = {k: n for k, c in enumerate(pieces) if fixed and (n := fixed(arrangement.pieces[c]))}

@@ -150,16 +150,17 @@ class Levels:
 
     def _at(self, c, column, level):
         """(3,) heights of a level that a column has, over MIDDLES of a piece."""
-        for k in self._sides(c):
+        for k in self.beside(c):
             for e in (0, 1):
                 if self.level((k, e)) == level:
                     return self._over(c, (k, e))
         return np.full(len(MIDDLES), self.nominal[level])
 
-    def _sides(self, c):
+    def beside(self, c):
+        """Columns on either side of a piece of the arrangement; none where it has one region on both."""
         if not hasattr(self, "_of_piece"):
             self._of_piece = {p: left + right for p, left, right in self._beside}
-        return self._of_piece[c]
+        return self._of_piece.get(c, [])
 
     def _stack(self, k, levels):
         low, high = self.level((k, 0)), self.level((k, 1))
