@@ -517,6 +517,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Tried</source>
         <translation type="unfinished"></translation>
     </message>

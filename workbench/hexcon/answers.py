@@ -49,7 +49,9 @@ RESULTS = {
         "points": Array("f", ("points", 3)), "quads": Array("i", ("quads", 4), 0, "points"),
         "faces": Array("i", ("quads",), 1), "off_cad": Array("f", ("points",), finite=False),
         "cad_gap": Array("f", ("points",)), "tolerance": Array("f", (), 0), "method": Array("s"),
-        "notes": Array("s", ("notes",)), "hexes": Array("i", ("hexes", 8), 0, optional=True)},
+        "notes": Array("s", ("notes",)), "hexes": Array("i", ("hexes", 8), 0, optional=True),
+        "fit": Array("f", (6,), optional=True), "lost_faces": Array("i", ("lost faces",), 1, optional=True),
+        "lost_edges": Array("i", ("lost edges",), 1, optional=True)},
     "smoothing_worker": {
         "points": Array("f", ("points", 3)), "faces": Array("i", ("quads",), 1),
         "dimension": Array("i", ("points",), 0, 4), "off": Array("f", ("points",), 0),

@@ -144,6 +144,7 @@ def main(arguments=None):
             endings, say,
             order=options.order, surface_method=options.surface_method, method=options.method,
             local_sizes=options.local_sizes, per_turn=options.per_turn,
+            volume_error=options.volume_error / 100.0,
             layers=options.layers, pillow=options.pillow, allow_topological=options.allow_topological,
             **pairing_option(options.pairing))
     except HexconError as fault:

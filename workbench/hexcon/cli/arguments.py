@@ -81,6 +81,9 @@ def add_local_sizes(command):
     command.add_argument("--per-turn", type=int, default=0, metavar="N",
                          help="so many quads, about, round a full turn of round faces (default: as many as come by "
                               "the size)")
+    command.add_argument("--volume-error", type=float, default=0.0, metavar="P",
+                         help="percent of the volume that chords of round faces may cut: more quads are taken there "
+                              "(default: 1 in a grid; elsewhere a note tells of more)")
 
 
 def _add_filling(command, method="auto"):

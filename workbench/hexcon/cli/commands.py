@@ -94,7 +94,8 @@ def _mesh_input(options):
             raise ToolError("a solid needs --size, the wanted edge length in mm",
                             FaultCode.BAD_OPTION)
         return mesh_solid(_chosen(options.input, options), options.size, surface_method=options.surface_method,
-                          local_sizes=options.local_sizes, per_turn=options.per_turn, **kept)
+                          local_sizes=options.local_sizes, per_turn=options.per_turn,
+                          volume_error=options.volume_error / 100.0, **kept)
     return mesh_quad_surface(_surface_input(options.input), **kept)
 
 
@@ -130,6 +131,7 @@ def _made_of(mesh):
 def _mesh_lines(mesh):
     lines = [f"surface       {len(mesh.quads)} quads, method {mesh.surface.method}"]
     lines += [f"              {note}" for note in mesh.surface.notes]
+    lines += [f"fit           {mesh.surface.fit.words()}"] if mesh.surface.fit else []
     lines += [f"mesh          {len(mesh.hexes)} hexes, {len(mesh.points)} points, order "
               f"{mesh.order}, method {mesh.method}: {_made_of(mesh)}",
               *(f"tried         {line}" for line in (*mesh.report.get("surface tries", ()), *mesh.report["log"])),

@@ -74,6 +74,8 @@ def of_mesh(mesh):
     rows += _worth(mesh.quality, mesh.certificate, straight=not len(curved_hexes(mesh.points, mesh.hexes)))
     rows += of_lengths(lengths_of(mesh.points, mesh.hexes))
     rows += [(translate("HexCon", "Curved edges"), sentence) for sentence in of_curving(report)]
+    fit = getattr(getattr(mesh, "surface", None), "fit", None)
+    rows += [(translate("HexCon", "Fit"), fit.words())] if fit else []
     rows += [(translate("HexCon", "Note"), note) for note in report.get("surface notes", ())]
     rows += [(translate("HexCon", "Tried"), line) for line in (*report.get("surface tries", ()), *report["log"])]
     rows += [(translate("HexCon", "gmsh"), line) for line in report.get("gmsh", ())]

@@ -17,15 +17,15 @@ def mesh_quad_surface(surface, method="auto", *, timeout=120.0, progress=None, *
 
 
 def mesh_solid(shape_or_file, size, *, surface_method="auto", method="auto", local_sizes=(), per_turn=0,
-               timeout=120.0, progress=None, **options):
+               volume_error=0.0, timeout=120.0, progress=None, **options):
     """A hex mesh of one solid: certified, but for the topological methods and allow_uncertified.
 
     shape_or_file   a FreeCAD Part.Shape, or the path of a .step .stp .brep .brp .FCStd file
     size            wanted edge length, in the unit of the shape (mm)
     surface_method  how its surface is meshed with quads: hexcon.quads.METHODS
     method          how the surface is filled: hexcon_native.METHODS
-    local_sizes, per_turn  smaller elements at faces, edges, corners, points, balls, boxes; quads round a full turn:
-                    as hexcon.quads.surface_from_solid
+    local_sizes, per_turn, volume_error  smaller elements at faces, edges, corners, points, balls, boxes; quads round a
+                    full turn; part of the volume that chords may cut: as hexcon.quads.surface_from_solid
     timeout         seconds for gmsh
     progress        callable (stage, fraction); returning False or raising cancels
     budget          (an option, see below) seconds for all of it: the surface, and what is left of them for the
@@ -41,4 +41,4 @@ def mesh_solid(shape_or_file, size, *, surface_method="auto", method="auto", loc
     Raises HexconError: those of quads.surface_from_solid and hexcon_native.mesh.
     """
     return Strategy(method, surface_method, timeout=timeout, local_sizes=local_sizes, per_turn=per_turn,
-                    **options).of_solid(shape_or_file, size, progress)
+                    volume_error=volume_error, **options).of_solid(shape_or_file, size, progress)

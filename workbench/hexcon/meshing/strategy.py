@@ -59,7 +59,7 @@ class Strategy:
     method          how surfaces are filled: hexcon_native.METHODS
     surface_method  how a solid's surface is meshed with quads: hexcon.quads.METHODS
     timeout         seconds for gmsh, each time
-    local_sizes, per_turn  of a solid's surface: see quads.surface_from_solid
+    local_sizes, per_turn, volume_error  of a solid's surface: see quads.surface_from_solid
     options         as mesh_surface
     With both methods "auto", and without a budget, the surfaces of TRIES are tried until one is filled. Of each
     come first: the hexes that its method has in mind (QuadSurface.hexes), then, of large surfaces made to be
@@ -67,11 +67,12 @@ class Strategy:
     Raises HexconError BAD_ARGUMENT for options that hexcon_native.mesh would refuse.
     """
 
-    def __init__(self, method="auto", surface_method="auto", *, timeout=120.0, local_sizes=(), per_turn=0, **options):
+    def __init__(self, method="auto", surface_method="auto", *, timeout=120.0, local_sizes=(), per_turn=0,
+                 volume_error=0.0, **options):
         hexcon_native.check_options(method, **{name: options[name] for name in _CHECKED if name in options})
         self.method, self.surface_method = method, surface_method
         self._timeout, self._options = timeout, options
-        wanted = {"local_sizes": local_sizes, "per_turn": per_turn}
+        wanted = {"local_sizes": local_sizes, "per_turn": per_turn, "volume_error": volume_error}
         self._sizes = {name: value for name, value in wanted.items() if value}
 
     @property
@@ -184,6 +185,8 @@ class Strategy:
         mesh.groups, mesh.node_groups = surface.groups, surface.node_groups
         mesh.report["surface method"] = surface.method
         mesh.report["surface notes"] = list(surface.notes)
+        if surface.fit is not None:
+            mesh.report["fit"] = surface.fit.as_dict()
         return mesh
 
 

@@ -14,14 +14,16 @@ from hexcon.gmsh_process import run_job
 
 from . import local_sizes as sizes_by_place
 from .checked_numbers import check_number
+from .fit import fit_of
 from .gmsh_worker.methods import METHODS
 from .surface import finished
 
+VOLUME_ERROR = 0.01     # part of the volume
 CAD_ENDINGS = (".step", ".stp", ".brep", ".brp", *IGES_ENDINGS)
 
 
-def surface_from_solid(shape_or_file, size, method="auto", *, local_sizes=(), per_turn=0, care=0, timeout=120.0,
-                       progress=None):
+def surface_from_solid(shape_or_file, size, method="auto", *, local_sizes=(), per_turn=0, volume_error=0.0, care=0,
+                       timeout=120.0, progress=None):
     """A closed, outward, even QuadSurface on the boundary of one solid.
 
     shape_or_file  a FreeCAD Part.Shape, or the path of a .step .stp .brep .brp file (plain Python will do), or
@@ -32,6 +34,8 @@ def surface_from_solid(shape_or_file, size, method="auto", *, local_sizes=(), pe
                    "ball:x,y,z,radius": 1.0, "box:x,y,z,x,y,z": 1.0}, or texts "Face3=1.5"; away from there elements
                    grow. Methods that follow no local sizes are left out by auto, and refused otherwise
     per_turn       so many quads are wanted round a full turn of round faces; 0: as many as come by the size
+    volume_error   part of the volume that chords of round faces may cut: more quads are taken there. 0: VOLUME_ERROR, which
+                   only a grid follows; others say where it is exceeded
     care           0: the first good surface; 1, 2, ...: so many of the coarser ways are passed over, for where no hexes
                    could be made in those (subdivided-triangles: smaller at curves and narrow places)
     timeout        seconds for gmsh
@@ -42,11 +46,11 @@ def surface_from_solid(shape_or_file, size, method="auto", *, local_sizes=(), pe
     Raises ToolError: BAD_OPTION, BAD_SHAPE, FILE_IO, FILE_FORMAT, FREECAD_MISSING, TOOL_MISSING, TOOL_TIMEOUT,
     TOOL_FAILED, NOT_SWEEPABLE, NOT_BLOCKS, NOT_LAYERED, NOT_GRIDDED, NOT_TRANSFINITE, NOT_ALL_QUAD, ODD_SURFACE, OFF_CAD.
     """
-    _check_options(size, method, timeout, per_turn)
+    _check_options(size, method, timeout, per_turn, volume_error)
     local_sizes = sizes_by_place.parsed(local_sizes)
     source, numbers_of, read_notes = source_of(shape_or_file, progress)
     job = {"method": method, "size": float(size), "care": int(care), "local_sizes": local_sizes,
-           "per_turn": int(per_turn)}
+           "per_turn": int(per_turn), "volume_error": float(volume_error)}
 
     def write(folder):
         path = source(folder)
@@ -62,16 +66,19 @@ def surface_from_solid(shape_or_file, size, method="auto", *, local_sizes=(), pe
     face_numbers = numbers_of()
     if face_numbers is not None:
         faces = np.asarray(face_numbers, np.int64)[faces - 1]
+    fit = fit_of(found, face_numbers)
+    notes += fit.notes(volume_error or VOLUME_ERROR) if fit else []
     return replace(finished(found["points"], found["quads"], faces, str(found["method"]), notes, found.get("hexes")),
-                   size=float(size))
+                   size=float(size), fit=fit)
 
 
-def _check_options(size, method, timeout, per_turn):
+def _check_options(size, method, timeout, per_turn, volume_error):
     if method not in METHODS:
         raise ToolError(f"unknown method {method!r}; there are {', '.join(METHODS)}", FaultCode.BAD_OPTION)
     check_number("size", size)
     check_number("timeout", timeout)
     check_number("per_turn", per_turn, at_least_zero=True)
+    check_number("volume_error", volume_error, at_least_zero=True)
 
 
 def _check_distance(found, notes):

@@ -8,6 +8,8 @@ import hexcon_native
 from hexcon.errors import FaultCode, ToolError
 from hexcon_native import ErrorCode, HexconError
 
+from .fit import Fit
+
 
 @dataclass
 class QuadSurface:
@@ -24,6 +26,7 @@ class QuadSurface:
                   quads, (H,8) int64, or (places of the points inside, hexes)
     groups        {name: rows of quads} that the surface was given with, beside CAD faces; they may overlap
     node_groups   {name: rows of points}
+    fit           None, or how well the quads fit the solid that they were made on
     """
     points: np.ndarray
     quads: np.ndarray
@@ -35,6 +38,7 @@ class QuadSurface:
     hexes: "np.ndarray | tuple | None" = None
     groups: dict = field(default_factory=dict)
     node_groups: dict = field(default_factory=dict)
+    fit: Fit | None = None
 
 
 def edges_of(quads):

@@ -6,6 +6,8 @@ import sys
 import numpy as np
 
 from . import cad, session
+from .cad_fit import cad_fit
+from .chord_sizes import DEFAULT, within
 from .fault import WorkerFault
 from .methods import METHOD_TABLE, tried_by_auto
 from .nearness import check_corners, distances
@@ -59,13 +61,19 @@ def _made(row, solid, job, link, notes):
     solid, left_out = _without_short_edges(solid, job["size"]) if row.leaves_out else (solid, [])
     module, _, function = row.maker.rpartition(".")
     make = getattr(importlib.import_module(f".{module}", __package__), function)
-    offered = {"method": row.name, **{name: job[name] for name in ("care", "timeout", "sizes")}}
+    offered = {"method": row.name, "care": job["care"], "timeout": job["timeout"]}
+    limit = job["volume_error"] or (DEFAULT if row.spares_volume else 0.0)
 
     def arrays(mesh):
         return _arrays(solid, mesh, job["size"], row.name, notes + mesh["notes"] + left_out)
     link.kept_as(arrays)
+
+    def made(size, sizes):
+        return make(solid, size, link=link, **{name: {**offered, "sizes": sizes}[name] for name in row.takes})
+
     try:
-        mesh = make(solid, job["size"], link=link, **{name: offered[name] for name in row.takes})
+        sizes = job["sizes"] if "sizes" in row.takes else None
+        mesh = within(limit, solid, job["size"], sizes, made, link.second)
     finally:
         link.over()
     link.progress("check", 0.0)
@@ -90,7 +98,7 @@ def _arrays(solid, mesh, size, method, notes):
     off, gaps = distances(solid, mesh, size)
     return {"points": mesh["points"], "quads": mesh["quads"], "faces": mesh["faces"], "off_cad": off,
             "cad_gap": gaps, "tolerance": solid.tolerance, "method": method, "notes": np.array(notes, dtype=str),
-            **{name: mesh[name] for name in ("hexes",) if name in mesh}}
+            **cad_fit(solid, mesh), **{name: mesh[name] for name in ("hexes",) if name in mesh}}
 
 
 sys.exit(session.run(sys.argv[1], _run))

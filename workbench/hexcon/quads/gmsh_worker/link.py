@@ -15,6 +15,7 @@ class Link:
     def __init__(self, folder=None, avoid=()):
         self.avoid, self.patience = set(avoid), None
         self._folder = folder
+        self._round = ""
         self._stream = folder and open(os.path.join(folder, "progress.txt"), "w", encoding="utf-8")
         self._arrays = None
 
@@ -26,6 +27,7 @@ class Link:
 
     def risk(self, name):
         """Announce a gmsh call that may crash, or not end; False if it has done so before and must be left out."""
+        name += self._round
         if name in self.avoid:
             return False
         if self._folder:
@@ -43,6 +45,12 @@ class Link:
     def _end_after(self, seconds):
         if self._folder and hasattr(signal, "setitimer"):       # not on Windows
             signal.setitimer(signal.ITIMER_PROF, seconds)
+
+    def second(self, mesh):
+        """Another mesh is to be made of the solid, for which this one is kept; its risks are others."""
+        self.over()
+        self.keep(mesh)
+        self._round = ", more quads on round faces"
 
     def kept_as(self, arrays):
         """arrays: callable(mesh) -> arrays of result.npz for a mesh that keep is called with."""

@@ -20,6 +20,7 @@ class SurfaceMethod:
     refused       how auto tells of that
     cavities      it meshes solids with cavities
     leaves_out    edges much shorter than the size can be taken as points before
+    spares_volume  it takes smaller elements on round faces, by itself, where chords would cut 1 % of the volume
     filled_by     the method of hexes that such quads are made for; "": none in particular
     hexes_a_quad  to be expected for each quad then; None: it depends on the volume, not the quads
     diced_first   auto dices large surfaces of it before anything else: no method makes fewer hexes of them
@@ -35,6 +36,7 @@ class SurfaceMethod:
     refused: str = ""
     cavities: bool = True
     leaves_out: bool = False
+    spares_volume: bool = False
     filled_by: str = ""
     hexes_a_quad: "float | None" = None
     diced_first: bool = False
@@ -57,7 +59,7 @@ _ROWS = (
                   refusal="NOT_LAYERED", refused="not layered", leaves_out=True, filled_by="proposal"),
     SurfaceMethod("grid", "grid", "any solid whose features are not much smaller than the elements: a grid of hexes that "
                   "takes them up", "grid.tries.grid_surface", ("timeout", "care", "sizes"), turn=5, refused="not gridded",
-                  filled_by="proposal"),
+                  spares_volume=True, filled_by="proposal"),
     # Hexes inside: 3 a quad on triangles, 10 to 22, and worse ones, where there are coarse quads.
     SurfaceMethod("subdivided", "subdivided quads", "any solid: gmsh's quads and triangles, each cut about its middle",
                   "whole.whole_surface", ("method", "sizes"), turn=7, leaves_out=True, filled_by="diced", hexes_a_quad=10),

@@ -87,10 +87,18 @@ def _on_face(solid, face, size):
 
 def _turning(solid, face, size, per_turn):
     """(points, sizes) where a face is curved, so that about per_turn of them go round."""
+    points, curvature = curved_points(solid, face, size, add=np.maximum)
+    return points, np.maximum(2.0 * np.pi / per_turn / curvature, LEAST_TURNING * size)
+
+
+def curved_points(solid, face, size, add=np.add):
+    """(points (n, 3) of a face where it is curved, its curvature there (n,)): both principal ones, by `add`."""
     grid, _ = _inside(solid, face, STEP * size)
-    points, curvature = solid.face_points(face, grid), np.abs(np.array(gmsh.model.getCurvature(2, face, grid.ravel())))
+    points = solid.face_points(face, grid)
+    first, second = (np.abs(np.array(k)) for k in gmsh.model.getPrincipalCurvatures(face, grid.ravel())[:2])
+    curvature = add(first, second)
     good = np.isfinite(points).all(axis=1) & np.isfinite(curvature) & (curvature * solid.diagonal > CURVED)
-    return points[good], np.maximum(2.0 * np.pi / per_turn / curvature[good], LEAST_TURNING * size)
+    return points[good], curvature[good]
 
 
 def _place(kind, at, size):

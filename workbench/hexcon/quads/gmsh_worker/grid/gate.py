@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a grid's surface must keep of the solid before it is handed on: faces, edges, volume, area.
 
-That its points lie on their faces is measured by nearness.py, as for every surface method.
+While tries go on; the surface that is handed on is measured as that of every method is: cad_fit.py, nearness.py.
 """
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.spatial import cKDTree
 
+from ..cad_fit import volume_and_area
 from .tessellation import on_segments
 
 MOST_VOLUME = 0.05      # part by which volume and area may differ from the CAD's: chords cut round faces
@@ -46,12 +47,7 @@ def kept(points, mesh, faces, features, chains, h):
     faces (n,): CAD face of each quad; chains: of Sliding; h: size of its elements. Linear.
     """
     quads, cad = points[mesh.quads], features.cad
-    splits = (quads[:, [0, 1, 2]], quads[:, [0, 2, 3]], quads[:, [0, 1, 3]], quads[:, [1, 2, 3]])
-    normals = [np.cross(t[:, 1] - t[:, 0], t[:, 2] - t[:, 0]) for t in splits]
-    centre = points[mesh.quads].mean((0, 1))
-    # a bilinear quad's volume is the mean of its two ways to be two triangles
-    volume = sum(((t[:, 0] - centre) * n).sum() for t, n in zip(splits, normals)) / 12.0
-    area = sum(np.linalg.norm(n, axis=1).sum() for n in normals) / 4.0
+    volume, area = volume_and_area(quads)
     cuts = [_chord(curve, points[chain]) / h for curve, chain in zip(features.curves, chains)]
     worst = int(np.argmax(cuts)) if cuts else -1
     return Kept(volume / cad.volume - 1.0, area / sum(cad.solid.area(f) for f in cad.solid.faces) - 1.0,

@@ -116,12 +116,9 @@ def _known(cad, smooth, soft, known):
 
 
 def _surface(found, features, one, faults):
-    mesh, lost = found.mesh, found.kept.lost
-    notes = [f"grid: {len(mesh.hexes)} hexes at {one}; volume {100 * found.kept.volume:+.2f} %, area "
-             f"{100 * found.kept.area:+.2f} %, edges within {found.kept.chord:.2f} of their size",
+    mesh = found.mesh
+    notes = [f"grid: {len(mesh.hexes)} hexes at {one}; edges within {found.kept.chord:.2f} of their size",
              *(f"grid: {fault}" for fault in faults)]
-    if lost:
-        notes.append(f"grid: too small for quads of their own: {', '.join(f'Face{f}' for f in lost[:20])}")
     left_out = sorted(features.edges[e].tag for e in features.soft)
     if left_out:
         notes.append(f"grid: edges without mesh edges of their own: {', '.join(f'Edge{e}' for e in left_out[:20])}")
