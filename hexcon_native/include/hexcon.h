@@ -358,6 +358,18 @@ hexcon_status hexcon_surface_pairing_of_crossings(hexcon_context *context, size_
 hexcon_status hexcon_quality(hexcon_context *context, const double *points, size_t point_count,
                              const int32_t *hexes, size_t hex_count, double *scaled_jacobian);
 
+/**
+ * The scaled Jacobian of hexes of order 2 as they are curved: the least of
+ * det(X_r, X_s, X_t) / (|X_r| |X_s| |X_t|) at 5 places in each direction, corners included. It is
+ * positive only of hexes that are proved positive everywhere, as by hexcon_certify_second_order.
+ * @param hexes            [hex_count][20] VTK_QUADRATIC_HEXAHEDRON order
+ * @param scaled_jacobian  [hex_count], receives values in [-1, 1]
+ * Errors: as hexcon_quality, OUT_OF_MEMORY, CANCELLED. Linear: some ten microseconds a hex.
+ */
+hexcon_status hexcon_quality_second_order(hexcon_context *context, const double *points,
+                                          size_t point_count, const int32_t *hexes,
+                                          size_t hex_count, double *scaled_jacobian);
+
 /** What is proved of a hex mesh. */
 typedef struct hexcon_certificate {
   bool certified;  /**< conforming, proper, boundary_exact, embedded and every Jacobian positive:

@@ -178,15 +178,17 @@ static PyObject *pairing_of_crossings(PyObject *module, PyObject *arguments) {
 static PyObject *quality(PyObject *module, PyObject *arguments) {
   (void)module;
   array_copy points, hexes;
-  if (!PyArg_ParseTuple(arguments, "O&O&", copy_points, &points, copy_hexes, &hexes))
+  int order;
+  if (!PyArg_ParseTuple(arguments, "O&O&i", copy_points, &points, copy_numbers, &hexes, &order))
     return NULL;
   run r;
-  PyObject *values = buffer_copy(NULL, hexes.count, sizeof(double));
+  const size_t count = hexes.count / (order == 2 ? 20 : 8);
+  PyObject *values = buffer_copy(NULL, count, sizeof(double));
   if (values && run_begin(&r, Py_None)) {
     double *out = (double *)(void *)PyByteArray_AsString(values);
     run_release(&r);
-    hexcon_status status =
-        hexcon_quality(r.context, points.items, points.count, hexes.items, hexes.count, out);
+    hexcon_status status = (order == 2 ? hexcon_quality_second_order : hexcon_quality)(
+        r.context, points.items, points.count, hexes.items, count, out);
     run_acquire(&r);
     if (!run_end(&r, status))
       Py_CLEAR(values);
@@ -516,7 +518,7 @@ static PyMethodDef methods[] = {
      "pairing(points or None, point_count, quads, progress) -> bytearray of int32"},
     {"pairing_of_crossings", pairing_of_crossings, METH_VARARGS,
      "pairing_of_crossings(point_count, quads, progress) -> bytearray of int32"},
-    {"quality", quality, METH_VARARGS, "quality(points, hexes) -> bytearray of float64"},
+    {"quality", quality, METH_VARARGS, "quality(points, hexes, order) -> bytearray of float64"},
     {"certify", certify, METH_VARARGS, "certify(points, hexes, quads, order, progress) -> dict"},
     {"morph", morph, METH_VARARGS,
      "morph(positions, hexes, fixed, goal, boundary_only, target, progress) -> reached"},

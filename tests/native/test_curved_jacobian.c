@@ -7,6 +7,7 @@
 #include "support.h"
 #include "verify/curved_jacobian.h"
 #include "verify/curved_jacobian_exact.h"
+#include "verify/curved_quality.h"
 #include "verify/jacobian_sign.h"
 
 static const double unit_cube[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
@@ -145,11 +146,40 @@ static void as_with_eight_nodes(void **state) {
   assert_true(positive > 100 && positive < 1900);
 }
 
+/** A cube has 1 everywhere; a bent top 1 - |a| at some corner, or in the middle; units do not
+ * matter, nor does turning; what is not positive has 0 at most. */
+static void qualities(void **state) {
+  (void)state;
+  static const double strengths[4] = {0.5, -0.5, -1, 1.01}, sizes[3] = {1, 1e-90, 1e80};
+  void *room = malloc(curved_jacobian_room());
+  assert_non_null(room);
+  double nodes[20][3];
+  straight(unit_cube, nodes);
+  assert_close(curved_scaled_jacobian(nodes, room), 1, 0);
+  for (int i = 0; i < 4; i++)
+    for (int k = 0; k < 3; k++) {
+      straight(unit_cube, nodes);
+      for (int n = 0; n < 20; n++) {
+        double r = nodes[n][0], s = nodes[n][1], top = 4 * r * (1 - r) + 4 * s * (1 - s) - 1;
+        double place[3] = {r, s, nodes[n][2] * (1 + strengths[i] * top)};
+        for (int c = 0; c < 3; c++)
+          nodes[n][(c + i) % 3] = sizes[k] * place[c];
+      }
+      double found = curved_scaled_jacobian(nodes, room);
+      if (fabs(strengths[i]) < 1)
+        assert_true(found > 0.1 && found < 1);
+      else
+        assert_true(found <= 0);
+    }
+  free(room);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(cubes),         cmocka_unit_test(scales),
       cmocka_unit_test(quarter_point), cmocka_unit_test(every_edge),
       cmocka_unit_test(bent_top),      cmocka_unit_test(as_with_eight_nodes),
+      cmocka_unit_test(qualities),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

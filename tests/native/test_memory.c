@@ -241,6 +241,12 @@ static hexcon_status call_certify_second_order(hexcon_context *context, material
   hexcon_status status = hexcon_raise_order(context, m->swept.points, m->swept.point_count,
                                             m->swept.hexes, m->swept.hex_count, &raised);
   hexcon_certificate c = {0};
+  double *quality = malloc(m->swept.hex_count * sizeof *quality);
+  assert_non_null(quality);
+  if (!status)
+    status = hexcon_quality_second_order(context, raised.points, raised.point_count, raised.hexes,
+                                         m->swept.hex_count, quality);
+  free(quality);
   if (!status) {
     raised.hexes[8] = raised.hexes[9]; /* some are improper, some are not positive */
     status =

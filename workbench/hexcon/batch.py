@@ -9,8 +9,17 @@ from hexcon_native import METHOD_CHOICES, check_options
 from . import pillows
 from .chatter import chatter_to
 from .cli import terminal
-from .cli.arguments import CHOSEN, LAYERS_HELP, PAIRING_HELP, PAIRINGS, add_local_sizes, methods_help
-from .cli.commands import SOLID_ENDINGS, pairing_option
+from .cli.arguments import (
+    CHOSEN,
+    LAYERS_HELP,
+    PAIRING_HELP,
+    PAIRINGS,
+    add_local_sizes,
+    add_order,
+    methods_help,
+    settle_order,
+)
+from .cli.commands import SOLID_ENDINGS, element_option, pairing_option
 from .cli.terminal import complain, say
 from .errors import FaultCode, HexconError, ToolError
 from .files import SOLVER_ENDINGS, WRITERS, check_method_for, shown, write
@@ -37,10 +46,10 @@ def results_of(parts, out, endings):
              for ending in endings] for name, stem in zip(names, stems)]
 
 
-def mesh_part(path, results, size, *, allow_topological=False, **options):
+def mesh_part(path, results, size, *, allow_topological=False, element=None, **options):
     """Mesh one part and write it to each of results; returns (done, the line that tells of it).
 
-    allow_topological: as files.write; options: as meshing.mesh_solid.
+    allow_topological: as files.write; element: the type of element that .inp names; options: as meshing.mesh_solid.
     Any exception but an interrupt becomes a line: a batch goes on.
     """
     name = os.path.basename(path)
@@ -52,7 +61,7 @@ def mesh_part(path, results, size, *, allow_topological=False, **options):
         with chatter_to():
             mesh = mesh_solid(path, size, **options)
             for result in results:
-                write(mesh, result, allow_topological=allow_topological)
+                write(mesh, result, allow_topological=allow_topological, **element_option(result, element))
     except HexconError as fault:
         return False, f"FAILED {name}: {' '.join(str(fault).split())} [{fault.code.name}]"
     except Exception as fault:  # a defect of ours must not cost the other parts
@@ -107,7 +116,7 @@ def _parser():
     parser.add_argument("--size", type=float, required=True, help="wanted edge length, mm")
     parser.add_argument("--write", action="append", choices=sorted(shown(WRITERS)),
         help="a format; may be given several times (default .inp)")
-    parser.add_argument("--order", type=int, choices=(1, 2), default=1)
+    add_order(parser)
     parser.add_argument("--surface-method", choices=list(SURFACE_METHOD_TABLE), default="auto",
                         help=f"how surfaces are meshed with quads. {methods_help(SURFACE_METHOD_TABLE)}")
     add_local_sizes(parser)
@@ -134,6 +143,7 @@ def main(arguments=None):
         complain(f"mesh_folder: there is no folder {options.folder}")
         return EXIT_USAGE
     try:
+        settle_order(options)
         endings = tuple(options.write or (".inp",))
         check_options(options.method, order=options.order, layers=options.layers, pillow=options.pillow)
         # the name is no part's: what counts are the endings
@@ -142,7 +152,8 @@ def main(arguments=None):
         done, failed = mesh_folder(
             options.folder, options.out or os.path.join(options.folder, "hexcon"), options.size,
             endings, say,
-            order=options.order, surface_method=options.surface_method, method=options.method,
+            element=options.element_type, order=options.order, surface_method=options.surface_method,
+            method=options.method,
             local_sizes=options.local_sizes, per_turn=options.per_turn,
             volume_error=options.volume_error / 100.0,
             layers=options.layers, pillow=options.pillow, allow_topological=options.allow_topological,

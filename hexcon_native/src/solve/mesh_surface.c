@@ -15,6 +15,7 @@
 #include "surface/numbering.h"
 #include "surface/shells.h"
 #include "verify/certificate.h"
+#include "verify/curved_quality.h"
 
 /** `auto` is no method to turn to: it hands every option on. */
 static bool takes_layers(const hexcon_method_facts *facts) {
@@ -360,6 +361,8 @@ static hexcon_status make_second_order(hexcon_context *context, const hexcon_mes
                                            &mesh->certificate);
     if (!status)
       status = judge(context, options, mesh);
+    if (!status)
+      status = curved_qualities(context, mesh->points, mesh->hexes, mesh->hex_count, mesh->quality);
   }
   mesh_note_seconds(mesh, "second order", start);
   return status;

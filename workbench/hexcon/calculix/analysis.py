@@ -9,12 +9,13 @@ from hexcon import disk, freecad_compat, keeper
 from hexcon.errors import FaultCode, HexconError, ToolError
 from hexcon.femmesh.convert import from_femmesh, to_femmesh
 from hexcon.femmesh.document import insert
+from hexcon.femmesh.element_types import chosen_type, element_type
 from hexcon.femmesh.elements import elements_of
 from hexcon.labels import rows_of
 from hexcon.topological import is_topological, refuse_topological
 
 from . import constraints as make, frd
-from .freecad_deck import correct_loads
+from .freecad_deck import correct_loads, name_element_type
 from .judging import check_loads
 from .loads import force_vector, pressure_value
 from .material import material_of
@@ -23,7 +24,7 @@ from .runner import find_ccx, run_ccx
 
 
 def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pressure=None,
-          order=None, workdir=None, timeout=3600, threads=None, allow_topological=False,
+          order=None, element=None, workdir=None, timeout=3600, threads=None, allow_topological=False,
           waiting=None):
     """Build an analysis in the document, run ccx, load the results into the document.
 
@@ -34,6 +35,7 @@ def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pres
     fixed     CAD faces held;  force {"Face2": (fx, fy, fz)} total N, spread evenly;
     pressure  {"Face3": MPa}, positive onto the face
     order     1 (C3D8), 2 (C3D20), None: the mesh's own; only for a mesh that is no object
+    element   C3D8, C3D8R, C3D20 or C3D20R, of the mesh's order; None: the mesh object's ElementType, else FreeCAD's
     workdir   existing folder for the deck and ccx's files; a new temporary one if None
     timeout   seconds for ccx;  threads  None: all processors
     allow_topological  take a mesh of topology only as well: its results mean nothing
@@ -62,6 +64,7 @@ def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pres
                to_femmesh(mesh, order, allow_topological=allow_topological))
     setup = _Setup(doc, solid, mesh if is_object else None, femmesh, material)
     setup.topological = is_topological(mesh)
+    setup.element = element_type(element or chosen_type(mesh), setup.elements.order)
     setup.fixed = faces[0]
     setup.force = dict(zip(faces[1], force.values()))
     setup.pressure = dict(zip(faces[2], pressure.values()))
@@ -182,6 +185,7 @@ class _Setup:
             path, self.elements, self.force, self.pressure,
             self.mesh.node_ids, self.mesh.hex_ids)
         self.notes += notes
+        name_element_type(path, self.element)
 
 
 def _remove_groups(mesh_object, kept):

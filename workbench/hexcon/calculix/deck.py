@@ -26,11 +26,12 @@ def face_number(name):
 
 
 def static_deck(mesh, material=None, fixed=("Face1",), force=None, pressure=None, *,
-                order=None, prescribed=None, integration_points=False,
+                order=None, element=None, prescribed=None, integration_points=False,
                 allow_topological=False):
     """Text of a deck that ccx runs as it is.
 
     mesh        see elements_of; order 1 (C3D8), 2 (C3D20), None: the mesh's own
+    element     C3D8, C3D8R, C3D20 or C3D20R; None: C3D8 or C3D20
     material    see material.material_of
     fixed       names of CAD faces held in x, y, z
     force       {"Face2": (fx, fy, fz)} total force in N, as consistent nodal loads
@@ -49,7 +50,7 @@ def static_deck(mesh, material=None, fixed=("Face1",), force=None, pressure=None
     check_loads(force, pressure, prescribed)
     out = io.StringIO()
     out.write("** HexCon: linear static analysis; N, mm, MPa\n")
-    write_mesh(out, elements)
+    write_mesh(out, elements, element)
     out.write(f"*MATERIAL, NAME=SOLID\n*ELASTIC\n{material.young!r}, {material.poisson!r}\n"
               f"*DENSITY\n{material.density!r}\n"
               "*SOLID SECTION, ELSET=EALL, MATERIAL=SOLID\n")

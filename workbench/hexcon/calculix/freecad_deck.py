@@ -7,6 +7,7 @@ straight edges it finds no quads of a curved face at all and writes no load, sil
 """
 import io
 import os
+import re
 
 import numpy as np
 
@@ -136,3 +137,14 @@ def _replace(cards, keyword, text):
     place = next(i for i, (k, _) in enumerate(kept)
                  if k in ("*NODE FILE", "*EL FILE", "*END STEP"))
     return kept[:place] + [[keyword, [text]]] + kept[place:]
+
+
+def name_element_type(path, name):
+    """Write the type of element over that which FreeCAD has written for the hexes."""
+    with open(path, encoding="utf-8") as stream:
+        text = stream.read()
+    named = re.sub(r"(?im)^(\*ELEMENT\s*,\s*TYPE\s*=\s*)C3D(?:8|20)[A-Z]*", rf"\g<1>{name}", text)
+    if named != text:
+        with open(path + ".part", "w", encoding="utf-8") as stream:
+            stream.write(named)
+        os.replace(path + ".part", path)

@@ -7,6 +7,7 @@ from hexcon import child
 from hexcon.errors import FaultCode, ToolError
 from hexcon_native import ErrorCode, HexconError
 
+from .deck_loads import check_deck
 from .judging import judged
 
 _NAMES = ("ccx", "ccx_static", "ccx_dynamic")
@@ -37,7 +38,8 @@ def run_ccx(deck_path, *, timeout=3600, threads=None, ccx=None, progress=None, n
     progress  callable (stage, fraction), asked some thirty times a second; returning False cancels
     nodes    node numbers that the results must cover, see judging.judged
     Returns (results of frd.read, log).
-    Raises ToolError: TOOL_MISSING, TOOL_FAILED (ccx's words, or why its results cannot be used), TOOL_TIMEOUT.
+    Raises ToolError: BAD_OPTION (a deck that loads nothing),
+    TOOL_MISSING, TOOL_FAILED (ccx's words, or why its results cannot be used), TOOL_TIMEOUT.
     """
     program = find_ccx(ccx)
     folder, base = os.path.split(os.path.abspath(deck_path))
@@ -47,6 +49,8 @@ def run_ccx(deck_path, *, timeout=3600, threads=None, ccx=None, progress=None, n
     for ending in (".frd", ".dat"):     # an old result must not pass for this one's
         if os.path.exists(os.path.join(folder, job + ending)):
             os.remove(os.path.join(folder, job + ending))
+    with open(deck_path, encoding="utf-8", errors="replace") as stream:
+        check_deck(stream.read())
     ended = child.run([program, "-i", job], "CalculiX", folder=folder, environment=environment, timeout=timeout,
                       look=progress and (lambda: _look_up(progress)))
     return judged(os.path.join(folder, base), ended, nodes), ended.output

@@ -10,7 +10,7 @@ import json
 from hexcon_native.errors import HexconError
 
 from . import in_freecad, terminal
-from .arguments import parse
+from .arguments import parse, settle_order
 from .terminal import complain, say
 
 EXIT_DONE, EXIT_FAULT, EXIT_NOT_CERTIFIED = 0, terminal.EXIT_FAULT, 3
@@ -27,6 +27,7 @@ def main(arguments=None):
     """Run one command; returns the exit status. Raises KeyboardInterrupt."""
     options = parse(arguments)
     try:
+        settle_order(options)
         solid, outputs = getattr(options, "solid", None), getattr(options, "output", None)
         paths = [options.input, *([solid] if solid else []), *(outputs or [])]
         if in_freecad.needs_freecad(paths) and not in_freecad.can_import_freecad():

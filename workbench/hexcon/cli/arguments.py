@@ -7,6 +7,7 @@ import hexcon_native
 
 from .. import pillows
 from ..examples import example_names
+from ..femmesh.element_types import ELEMENT_TYPES, element_type
 from ..files import READERS, SOLVER_ENDINGS, WRITERS, shown
 from ..files.surfaces import SURFACE_ENDINGS
 from ..quads import METHOD_TABLE as SURFACE_METHOD_TABLE
@@ -95,8 +96,7 @@ def _add_filling(command, method="auto"):
     command.add_argument("--pillow", type=pillows.pillow_of, default="auto", metavar="auto|never|K", help=pillows.HELP)
     command.add_argument("--pairing", choices=PAIRINGS, default=PAIRINGS[0],
                          help=PAIRING_HELP)
-    command.add_argument("--order", type=int, choices=(1, 2), default=1,
-                         help="2: mid-edge nodes (C3D20)")
+    add_order(command)
     command.add_argument("--allow-uncertified", action="store_true",
                          help="write the best mesh found even if its certificate fails")
     command.add_argument("--allow-topological", action="store_true",
@@ -107,6 +107,26 @@ def _add_filling(command, method="auto"):
     command.add_argument("--budget", type=float, default=0.0, metavar="S",
                          help="seconds for filling: the best mesh until then is taken (default: no "
                               "limit)")
+
+
+def add_order(command):
+    """Order and type of elements; the batch has them too."""
+    command.add_argument("--order", type=int, choices=(1, 2),
+                         help="2: mid-edge nodes, on the solid (default 1, or that of --element-type)")
+    command.add_argument("--element-type", choices=list(ELEMENT_TYPES),
+                         help="what .inp and solve get (default C3D8, of order 2 C3D20); R: reduced integration")
+
+
+def settle_order(options):
+    """Fill in options.order where it was left to the element type; nothing of commands without them.
+
+    Raises ToolError BAD_OPTION where they differ."""
+    if "element_type" not in options:
+        return
+    wanted = options.element_type and ELEMENT_TYPES[options.element_type]
+    if options.order is None:
+        options.order = wanted or 1
+    element_type(options.element_type, options.order)
 
 
 def _add_mesh(commands_parser):

@@ -156,6 +156,11 @@ def check_outputs(options, known):
             raise ToolError(f"{path} is the input: it would be lost", FaultCode.BAD_OPTION)
 
 
+def element_option(path, element):
+    """The keyword of files.write, of files that name element types."""
+    return {"element": element} if element and ending_of(path) == ".inp" else {}
+
+
 def mesh(options):
     """hexcon mesh IN -o OUT"""
     check_outputs(options, WRITERS)
@@ -166,7 +171,7 @@ def mesh(options):
 def write_mesh(made, options):
     """Write a mesh to options.output; returns (facts, lines) of it."""
     for path in options.output:
-        write(made, path, allow_topological=options.allow_topological)
+        write(made, path, allow_topological=options.allow_topological, **element_option(path, options.element_type))
     return (dict(_facts(made), written=options.output),
             [*_mesh_lines(made), *(f"written       {path}" for path in options.output)])
 
@@ -347,7 +352,7 @@ def solve(options):
     is_solid = ending_of(options.input) in SOLID_ENDINGS
     made = _mesh_to_solve(options, is_solid)
     deck = static_deck(made, {"young": options.young, "poisson": options.poisson},
-                       options.fixed, force, pressure,
+                       options.fixed, force, pressure, element=options.element_type,
                        allow_topological=options.allow_topological)
     result = solve_inp(deck, timeout=options.ccx_timeout, nodes=np.unique(made.hexes) + 1)
     displacements = np.zeros((len(made.points), 3))

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A FEM mesh object of hexes into a file of any format that files.write has; FreeCAD's own export knows fewer."""
 from hexcon import files
+from hexcon.femmesh.element_types import chosen_type
 from hexcon.files.femmesh_contents import contents_of_femmesh
 from hexcon.files.hex_contents import mesh_of
 from hexcon.judging.report import read_mesh_object
@@ -15,4 +16,5 @@ def export_hex_mesh(mesh_object, path, *, allow_topological=False):
     found = read_mesh_object(mesh_object)
     mesh = mesh_of(found.points, found.hexes, contents_of_femmesh(mesh_object.FemMesh))
     mesh.topological = found.topological
-    files.write(mesh, path, allow_topological=allow_topological)
+    chosen = chosen_type(mesh_object) if files.ending_of(path) == ".inp" else None
+    files.write(mesh, path, allow_topological=allow_topological, **({"element": chosen} if chosen else {}))

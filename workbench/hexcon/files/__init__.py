@@ -65,7 +65,7 @@ def write(mesh, path, *, order=None, allow_topological=False, **options):
     allow_topological  write a mesh of topology only even to SOLVER_ENDINGS, which solvers take; .inp and
              .FCStd say that it is topological. The other formats, .med too, take it without
     options  .vtu and .vtk: point_data, cell_data (dicts of arrays); .FCStd: solid, a shape or a
-             path; the default is mesh.solid, where mesh_solid has put it
+             path; the default is mesh.solid, where mesh_solid has put it; .inp: element, C3D8, C3D8R, C3D20 or C3D20R
     The file, of .specfem3d the folder, is written beside its place and then put there: never a partial one.
     Raises ToolError: FILE_FORMAT (ending), FILE_IO (no permission, disk full, no folder),
     FREECAD_MISSING, BAD_MESH, BAD_OPTION, TOPOLOGICAL_MESH.

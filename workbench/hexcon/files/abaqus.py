@@ -6,6 +6,8 @@ parallelepiped (stress error 19 % at scaled Jacobian 0.66, measured with ccx 2.2
 """
 import numpy as np
 
+from hexcon.femmesh.element_types import element_type
+
 from .text import write_list, write_numbered, write_rows
 
 STEEL_YOUNG, STEEL_POISSON, STEEL_DENSITY = 210000, 0.3, 7.9e-9     # N, mm, MPa, tonne
@@ -20,19 +22,20 @@ def _field(value):
     return "%.13e" % value if abs(value) > 1e-99 else "0.0"
 
 
-def write_mesh(stream, elements):
+def write_mesh(stream, elements, element=None):
     """*NODE, *ELEMENT, one *NSET and one *SURFACE per CAD face.
 
+    element  see femmesh.element_types
     Names: NALL, EALL, FACE3_NODES, FACE3. Node and element numbers are rows + 1. A comment says
     so where the mesh is topological.
     """
+    kind = element_type(element, elements.order)
     if elements.topological:
         stream.write("** TOPOLOGICAL: topology only, some Jacobians are zero or negative; not for "
                      "solving\n")
     stream.write("*NODE, NSET=NALL\n")
     text = np.array([_field(x) for x in elements.points.ravel().tolist()], object)
     write_numbered(stream, "%d, %s, %s, %s\n", text.reshape(-1, 3))
-    kind = "C3D20" if elements.order == 2 else "C3D8"
     stream.write(f"*ELEMENT, TYPE={kind}, ELSET=EALL\n")
     # ccx takes at most 16 entries a line: a 20-node element needs two
     row = ("%d" + ", %d" * 8 if elements.order == 1
@@ -48,15 +51,18 @@ def write_mesh(stream, elements):
             [elements.hex_of_quad[rows] + 1, elements.side_of_quad[rows] + 1]))
 
 
-def write(path, elements):
-    """The mesh with a default material (steel, N and mm): add a step and ccx runs it."""
+def write(path, elements, element=None):
+    """The mesh with a default material (steel, N and mm): add a step and ccx runs it.
+
+    element  C3D8, C3D8R, C3D20, C3D20R; None: C3D8 or C3D20
+    """
     names = [f"FACE{n}" for n in elements.face_numbers()]
     with open(path, "w", encoding="ascii") as stream:
         stream.write("** Hex mesh by HexCon; CalculiX / Abaqus, lengths in mm\n")
         if names:
             stream.write("** node sets " + names[0] + "_NODES ..., surfaces "
                          + names[0] + " ... : one per CAD face\n")
-        write_mesh(stream, elements)
+        write_mesh(stream, elements, element)
         stream.write("** Default material (steel; N, mm, MPa, tonne): replace as needed.\n")
         stream.write(STEEL + "*SOLID SECTION, ELSET=EALL, MATERIAL=STEEL\n")
         stream.write("** To solve, add for example:\n** *BOUNDARY\n** FACE1_NODES, 1, 3, 0\n"

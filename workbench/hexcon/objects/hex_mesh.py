@@ -4,6 +4,7 @@ from hexcon import preferences
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh import to_femmesh
 from hexcon.femmesh.document import mark_topological
+from hexcon.femmesh.element_types import CHOICES as ELEMENT_CHOICES, PROPERTY as ELEMENT_TYPE
 from hexcon.inspection.stages import counts_of
 from hexcon.meshing import Strategy
 from hexcon.meshing.strategy import is_worth_another
@@ -25,6 +26,8 @@ PROPERTIES = (
     ("App::PropertyEnumeration", "Pillow", "HexCon", "Sheets of hexes under the whole surface: one where it makes a "
      "poor worst hex clearly better, none, or so many; not for methods of topology only", CHOICES, False),
     ("App::PropertyEnumeration", "Order", "HexCon", "1: C3D8, 2: C3D20, edges of the boundary on the solid", ORDERS, False),
+    ("App::PropertyEnumeration", ELEMENT_TYPE, "HexCon", "What CalculiX gets from Hold, load and solve and from an exported "
+     ".inp; R: reduced integration. FreeCAD's own solver object writes C3D8 and C3D20", ELEMENT_CHOICES, False),
     ("App::PropertyFloat", "Budget", "HexCon", "Seconds after which the best mesh until then is taken; 0: no limit",
      0.0, False),
     ("App::PropertyBool", "AllowTopological", "HexCon", "Allow the methods whose meshes are topology only: no "

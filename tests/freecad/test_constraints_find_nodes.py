@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD's own constraints on faces, edges and vertices, flat and curved, find their nodes at both orders.
+
+By the lines of the decks that FreeCAD writes, and by the reaction forces that CalculiX finds.
+"""
+import math
+import os
+import re
+
+import numpy as np
+import pytest
+
+import hexcon
+from hexcon import freecad_compat
+from hexcon.calculix.freecad_deck import nodal_loads
+from hexcon.calculix.runner import run_ccx
+from hexcon.femmesh import elements_of
+
+FORCE, PRESSURE = 120.0, 3.0
+
+
+@pytest.fixture(scope="module", params=[1, 2])
+def part(request, freecad):
+    """(document, solid, mesh, mesh object) of a cylinder: faces 1 side, 2 bottom, 3 top; edges 1 seam, 2 top rim."""
+    doc = freecad.newDocument("Constraints")
+    solid = doc.addObject("Part::Cylinder", "Cylinder")
+    solid.Radius, solid.Height = 5, 8
+    doc.recompute()
+    mesh = hexcon.mesh_solid(solid.Shape, 2.5, order=request.param)
+    assert mesh.certificate.certified
+    yield doc, solid, mesh, hexcon.femmesh.add_to_document(doc, mesh, solid)
+    freecad.closeDocument(doc.Name)
+
+
+@pytest.fixture
+def deck(part, tmp_path):
+    """Function: the deck's path for some constraints, (kind, references, properties) each."""
+    doc, solid, _, mesh_object = part
+    objects = freecad_compat.fem_module("ObjectsFem")
+
+    def make(*constraints, kind="static"):
+        analysis, solver = objects.makeAnalysis(doc, "Analysis"), freecad_compat.make_ccx_solver(doc)
+        solver.AnalysisType = kind
+        material = objects.makeMaterialSolid(doc, "Material")
+        material.Material = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.3",
+                             "Density": "7900 kg/m^3", "ThermalConductivity": "43 W/m/K",
+                             "ThermalExpansionCoefficient": "12 um/m/K", "SpecificHeat": "590 J/kg/K"}
+        made = []
+        for name, references, properties in constraints:
+            made.append(getattr(objects, "makeConstraint" + name)(doc, "Constraint" + name))
+            if references:
+                made[-1].References = [(solid, references)]
+            for key, value in properties.items():
+                setattr(made[-1], key, value)
+        for member in (solver, material, *made, mesh_object):
+            analysis.addObject(member)
+        doc.recompute()
+        tools = freecad_compat.fem_module("femtools.ccxtools").FemToolsCcx(analysis, solver)
+        tools.update_objects()
+        tools.setup_working_dir(str(tmp_path))
+        assert not tools.check_prerequisites()
+        tools.write_inp_file()
+        for member in (solver, material, *made, analysis):
+            doc.removeObject(member.Name)
+        return tools.inp_file_name
+    return make
+
+
+def lines_of(path):
+    """{card: data lines}: "*NSET" by its name, numbers counted."""
+    found, card = {}, ""
+    with open(path, encoding="utf-8") as stream:
+        for line in stream:
+            if line.startswith("**") or not line.strip():
+                continue
+            if line.startswith("*"):
+                card = line.strip().replace(" ", "")
+                card = card if card.startswith(("*NSET", "*SURFACE")) else card.split(",")[0]
+                found.setdefault(card, 0)
+            else:
+                found[card] += 1
+    return found
+
+
+def nodes_on(part, name):
+    """Nodes of the mesh on a face, an edge or a vertex, by the cylinder's formulas."""
+    points = part[2].points
+    side, bottom, top = (np.abs(np.hypot(*points[:, :2].T) - 5) < 1e-7, np.abs(points[:, 2]) < 1e-7,
+                         np.abs(points[:, 2] - 8) < 1e-7)
+    seam = side & (np.abs(points[:, 1]) < 1e-7) & (points[:, 0] > 0)
+    return {"Face1": side, "Face2": bottom, "Face3": top, "Edge1": seam, "Edge2": side & top, "Edge3": side & bottom,
+            "Vertex1": seam & top, "Vertex2": seam & bottom}[name].sum()
+
+
+def quads_on(part, number):
+    return int((part[2].face_of_quad == number).sum())
+
+
+FIXED = ("Fixed", ("Face2",), {})
+ONE_SET = {"Fixed": ("*NSET,NSET=ConstraintFixed", {}), "Transform": ("*NSET,NSET=RectConstraintTransform", {}),
+           "Displacement": ("*NSET,NSET=ConstraintDisplacement", {"xDisplacement": 0.1, "xFree": False, "xFix": False}),
+           "Temperature": ("*NSET,NSET=ConstraintTemperature", {"Temperature": 400.0})}
+
+
+@pytest.mark.parametrize("where", ["Face1", "Face3", "Edge1", "Edge2", "Vertex1"])
+def test_node_sets(part, deck, where):
+    for name, (card, properties) in ONE_SET.items():
+        constraints = [(name, (where,), properties)] + ([] if name == "Fixed" else [FIXED])
+        thermal = name == "Temperature"
+        if thermal:
+            constraints.append(("InitialTemperature", None, {"initialTemperature": 300.0}))
+        found = lines_of(deck(*constraints, kind="thermomech" if thermal else "static"))
+        assert found[card] == nodes_on(part, where), name
+
+
+@pytest.mark.parametrize("where", ["Face1", "Face3"])
+def test_plane_rotation(part, deck, where):
+    found = lines_of(deck(("PlaneRotation", (where,), {}), FIXED))
+    assert found["*NSET,NSET=ConstraintPlaneRotation"] == nodes_on(part, where) and found["*MPC"] == 1
+
+
+@pytest.mark.parametrize("where", ["Face1", "Face3", "Edge1", "Vertex1"])
+def test_forces(part, deck, where):
+    found = lines_of(deck(("Force", (where,), {"Force": FORCE, "Direction": (part[1], ["Edge1"])}), FIXED))
+    assert found["*CLOAD"] == nodes_on(part, where)
+
+
+@pytest.mark.parametrize("number", [1, 3])
+def test_pressures(part, deck, number):
+    found = lines_of(deck(("Pressure", (f"Face{number}",), {"Pressure": PRESSURE}), FIXED))
+    assert found["*DLOAD"] == quads_on(part, number)
+
+
+@pytest.mark.parametrize(("name", "prefix"), [("Contact", ""), ("Tie", "TIE_")])
+def test_pairs_of_faces(part, deck, name, prefix):
+    found = lines_of(deck((name, ("Face3", "Face1"), {}), FIXED))
+    assert found[f"*SURFACE,NAME={prefix}DEPConstraint{name}"] == quads_on(part, 3)
+    assert found[f"*SURFACE,NAME={prefix}INDConstraint{name}"] == quads_on(part, 1)
+
+
+def reaction(path):
+    """Sum of the reactions of the fixed nodes, as FreeCAD's deck asks ccx to print it."""
+    run_ccx(path)
+    with open(os.path.splitext(path)[0] + ".dat", encoding="utf-8") as stream:
+        found = re.findall(r"total force.*?\n\s*\n\s*(\S+)\s+(\S+)\s+(\S+)", stream.read())
+    return np.array(found[-1], float)
+
+
+def test_reactions_balance_loads(part, deck):
+    """A force along the side; a pressure on the flat top, and on the round side, whose sum is nothing."""
+    mesh = part[2]
+    path = deck(("Force", ("Face1",), {"Force": FORCE, "Direction": (part[1], ["Edge1"])}), FIXED)
+    with open(path, encoding="utf-8") as stream:
+        loads = nodal_loads(stream.read(), np.arange(1, len(mesh.points) + 1))[:, 2]
+    pulled = reaction(path)
+    # FreeCAD spreads it by mesh area over CAD area
+    assert abs(loads.sum()) == pytest.approx(FORCE, rel=5e-3 if mesh.order == 2 else 0.05)
+    free = loads[mesh.points[:, 2] > 1e-7].sum()    # ccx leaves out what is loaded and held
+    assert pulled[2] == pytest.approx(-free, rel=1e-5) and np.abs(pulled[:2]).max() < 1e-4 * FORCE
+    pressed = reaction(deck(("Pressure", ("Face3",), {"Pressure": PRESSURE}), FIXED))
+    corners = elements_of(mesh)
+    top = corners.points[corners.quads[mesh.face_of_quad == 3]][:, :, :2]
+    if mesh.order == 1:
+        x, y = top[:, :, 0], top[:, :, 1]
+        area = sum(x[:, k] * y[:, (k + 1) % 4] - y[:, k] * x[:, (k + 1) % 4] for k in range(4)).sum() / 2
+    else:
+        area = math.pi * 25
+    assert pressed[2] == pytest.approx(PRESSURE * area, rel=1e-3 if mesh.order == 2 else 1e-5)
+    squeezed = reaction(deck(("Pressure", ("Face1",), {"Pressure": PRESSURE}), FIXED))
+    assert np.abs(squeezed).max() < 1e-3 * PRESSURE * area

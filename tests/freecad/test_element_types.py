@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""C3D8, C3D8R, C3D20 and C3D20R to choose from; decks that load nothing do not reach CalculiX."""
+import numpy as np
+import pytest
+from hex_grids import block
+
+from hexcon import calculix, files
+from hexcon.calculix.deck_loads import check_deck
+from hexcon.errors import FaultCode, ToolError
+from hexcon.femmesh import add_to_document
+from hexcon.femmesh.element_types import CHOICES, ELEMENT_TYPES
+from hexcon.files import read_mesh
+
+SIZE = (10.0, 1.0, 1.0)
+PULL = {"Face2": (0.0, 0.0, -1.0)}
+
+
+def types_in(text):
+    return {line.split("TYPE=")[1].split(",")[0].strip().upper() for line in text.upper().splitlines()
+            if line.startswith("*ELEMENT") and "TYPE=" in line}
+
+
+@pytest.mark.parametrize("name", ELEMENT_TYPES)
+def test_files_and_decks(tmp_path, name):
+    mesh, order = block(10, 2, 2, SIZE), ELEMENT_TYPES[name]
+    files.write(mesh, tmp_path / "m.inp", order=order, element=name)
+    assert types_in((tmp_path / "m.inp").read_text()) == {name}
+    assert read_mesh(tmp_path / "m.inp").order == order
+    deck = calculix.static_deck(mesh, force=PULL, order=order, element=name)
+    assert types_in(deck) == {name}
+    bent = calculix.solve_inp(deck).max_displacement        # 4 N L^3 / E b^4 by Bernoulli, 2 % more by Timoshenko
+    assert bent == pytest.approx(4 * 1000 / 210000.0, rel={"C3D8": 0.35, "C3D8R": 0.4}.get(name, 0.02))
+
+
+@pytest.mark.parametrize(("name", "order"), [("C3D20R", 1), ("C3D8", 2), ("C3D8I", 1), ("C3D10", 2)])
+def test_others_are_refused(name, order):
+    with pytest.raises(ToolError) as caught:
+        calculix.static_deck(block(1, 1, 1), force=PULL, order=order, element=name)
+    assert caught.value.code is FaultCode.BAD_OPTION and name in str(caught.value)
+
+
+def test_through_freecad(doc, box_in):
+    solid = box_in(SIZE)
+    mesh = block(10, 2, 2, SIZE)
+    found = {}
+    for name in ("C3D20", "C3D20R"):
+        result = calculix.solve(doc, mesh, solid, order=2, element=name, force=PULL)
+        with open(result.inp_path, encoding="utf-8") as stream:
+            assert types_in(stream.read()) == {name}
+        found[name] = result.max_displacement
+    assert 0 < found["C3D20R"] / found["C3D20"] - 1 < 0.05
+    held = add_to_document(doc, mesh, solid, order=1)
+    held.addProperty("App::PropertyEnumeration", "ElementType")
+    held.ElementType = list(CHOICES)
+    held.ElementType = "C3D8R"
+    result = calculix.solve(doc, held, solid, force=PULL)
+    with open(result.inp_path, encoding="utf-8") as stream:
+        assert types_in(stream.read()) == {"C3D8R"}
+
+
+STEP = "*STEP\n*STATIC\n{}\n*END STEP\n"
+
+
+@pytest.mark.parametrize("loads", ["", "*CLOAD\n1, 3, 0.0", "*DLOAD",
+                                   "*DLOAD\n** pressure\n3, P1, 0.0", "*BOUNDARY\n4, 1, 3"])
+def test_decks_that_load_nothing(loads):
+    with pytest.raises(ToolError) as caught:
+        check_deck("*BOUNDARY\n1, 1, 3, 0.0\n" + STEP.format(loads))
+    assert caught.value.code is FaultCode.BAD_OPTION and "loads nothing" in str(caught.value)
+
+
+@pytest.mark.parametrize("loads", ["*CLOAD\n1, 3, 1e-9", "*Dload\n3, P1, -2.", "*DLOAD\nEALL, GRAV, 9810., 0., 0., -1.",
+                                   "*BOUNDARY\n4, 1, 1, 0.1", "*TEMPERATURE\nNALL, 300.", "*FREQUENCY\n10",
+                                   "*INCLUDE, INPUT=loads.inp", "*DSLOAD\nFACE2, P, 1.0"])
+def test_decks_that_load_something(loads):
+    check_deck("*BOUNDARY\n1, 1, 3, 0.0\n" + STEP.format(loads))
+    check_deck("*NODE\n1, 0., 0., 0.\n")
+
+
+def test_ccx_does_not_start(tmp_path):
+    deck = calculix.static_deck(block(1, 1, 1), force=PULL)
+    nothing = "\n".join(line[:line.rindex(",")] + ", 0.0" if line.count(",") == 2 and "e" in line and line[0].isdigit()
+                        else line for line in deck.splitlines())
+    with pytest.raises(ToolError) as caught:
+        calculix.solve_inp(nothing + "\n", workdir=str(tmp_path), ccx="/bin/false")
+    assert "loads nothing" in str(caught.value) and np.all([not p.name.endswith(".frd") for p in tmp_path.iterdir()])
