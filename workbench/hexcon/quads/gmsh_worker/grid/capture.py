@@ -17,10 +17,10 @@ DIRECTION = 0.5         # weight of a normal beside a distance of one edge lengt
 TRIES = 6               # placements of corners
 
 
-def capture(model, points, hexes):
+def capture(model, points, hexes, tries=TRIES):
     """A CapturedMesh of hexes (H, 8) whose boundary lies near the model's faces. Raises NotCaptured.
 
-    Where a corner has more curves than any vertex near it has edges, hexes are put in. Cost: O(H log H), and paths
+    tries: placements of corners. Where a corner has more curves than any vertex near it has edges, hexes are put in. Cost: O(H log H), and paths
     within bands about the curves, times the rounds of negotiation.
     """
     skin = Skin(points, hexes)
@@ -34,7 +34,7 @@ def capture(model, points, hexes):
         guess = guessed_patches(model, skin)
         places = CornerPlaces(model, skin, guess)
         vertex = None
-    paths, vertex = _routed(model, skin, guess, places, vertex)
+    paths, vertex = _routed(model, skin, guess, places, vertex, tries)
     return _captured(model, skin, guess, points, hexes, vertex, paths)
 
 
@@ -64,11 +64,11 @@ def _samples(model, step):
     return found, normals, np.asarray(model.patch_of_face)[model.triangle_face[which]]
 
 
-def _routed(model, skin, guess, places, vertex):
+def _routed(model, skin, guess, places, vertex, tries):
     """(paths, vertex of each corner) of the first placement of corners with paths for all curves."""
     fault = None
     bands = [Band(model, skin, guess, c) for c in range(len(model.curves))]
-    for _ in range(TRIES):
+    for _ in range(tries):
         vertex = places.placed() if vertex is None else vertex
         try:
             paths = Routes(model, skin, guess, bands, places, vertex).negotiated()

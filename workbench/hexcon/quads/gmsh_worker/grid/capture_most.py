@@ -5,6 +5,7 @@ from .captured import NotCaptured
 from .features import SMOOTH, Features
 
 ROUNDS = 8              # how often features are given up
+FIRST_TRIES, TRIES = 5, 2   # placements of corners before anything is given up, and afterwards
 NARROW = 0.4            # of the elements' size: a patch of less mean width is a sliver
 
 
@@ -13,15 +14,15 @@ def capture_most(features, points, hexes, h):
 
     h: size of the elements. Raises NotCaptured where what fails has neither a smooth edge nor a sliver.
     """
-    for _ in range(ROUNDS):
+    for number in range(ROUNDS):
         try:
-            return capture(features, points, hexes), features
+            return capture(features, points, hexes, FIRST_TRIES if number == 0 else TRIES), features
         except NotCaptured as fault:
             soft = _smooth_edges(features, fault) or _borders_of_slivers(features, fault, h)
             if not soft:
                 raise
             features = Features(features.cad, features.smooth, features.soft | soft)
-    return capture(features, points, hexes), features
+    return capture(features, points, hexes, TRIES), features
 
 
 def _curves(features, fault):

@@ -125,6 +125,7 @@ class CornerPlaces:
         self.model, self.skin = model, skin
         self.ends = ends_of_corners(model)
         self._blamed = {}
+        self._corners = np.asarray(model.corners, float).reshape(-1, 3)
         self._around = _patches_around(skin, guess)
         self._candidates = [self._costs(k) for k in range(len(model.corners))]
         self._near = self._neighbours()
@@ -150,7 +151,7 @@ class CornerPlaces:
 
     def _neighbours(self):
         """Per corner [(other corner, length of the curve between or inf)] of those that are near or joined."""
-        corners = np.asarray(self.model.corners, float).reshape(-1, 3)
+        corners = self._corners
         joined = {}
         for curve in self.model.curves:
             a, b = curve.start, curve.end
@@ -230,12 +231,16 @@ class CornerPlaces:
         return before - after
 
     def _cost(self, vertex, k):
-        skin, v = self.skin, int(vertex[k])
+        skin, v, count = self.skin, int(vertex[k]), len(self.skin.points)
         cost = self._candidates[k][v] + self._blamed.get((k, v), 0.0)
-        for j, length, scale in self._near[k]:
-            apart = skin.points[vertex[j]] - skin.points[v]
-            cost += 0.4 * np.linalg.norm(apart - (self.model.corners[j] - self.model.corners[k])) / scale
-            joined = skin.half_edges.find([v], [vertex[j]])[0] >= 0
+        if not self._near[k]:
+            return cost
+        others = [j for j, _, _ in self._near[k]]
+        apart = skin.points[vertex[others]] - skin.points[v]
+        off = apart - (self._corners[others] - self._corners[k])
+        for (j, length, scale), far in zip(self._near[k], np.sqrt((off * off).sum(axis=1)).tolist()):
+            cost += 0.4 * far / scale
+            joined = v * count + int(vertex[j]) in skin.joined
             if joined and np.isinf(length):             # an edge that no curve can use
                 cost += BLOCKED
             if length < SHORT * scale and not joined:

@@ -30,8 +30,10 @@ ENOUGH = 0.3            # and above which what counts is the mean
 MOST_REFINED = 200_000      # and of one whose cells are split
 LONGEST = 1.5           # of the size: edges of cells up to which they are not split, as even steps between planes are
 FINE = 0.95                 # least scaled Jacobian of first places that are taken as they are
-MOST_FOLDED = 0.02          # part of the hexes: with more left folded, passes over them are lost time
-PASSES, MEAN_PASSES = 9, 4  # of hexcon_native.relax
+MOST_FOLDED = 0.006         # part of the hexes: with more left folded, passes over them are lost time
+MOST_SETS = 2               # of cells with the solid's topology that are tried
+MANY_SHEETS = 1.5           # times the hexes: sheets that go on inside are then too many to be tried first
+FEW_PASSES, PASSES, MEAN_PASSES = 3, 9, 4       # of hexcon_native.relax: over folded hexes at first, at most, and the mean
 
 
 @dataclass
@@ -55,7 +57,12 @@ class Overlay:
     @property
     def rank(self):
         """The greater, the better."""
-        return self.good, min(self.quality.min, ENOUGH), self.quality.mean
+        return self.good, -self.folded / len(self.mesh.hexes), min(self.quality.min, ENOUGH), self.quality.mean
+
+    @property
+    def folded(self):
+        """How many hexes are not positive."""
+        return len(self.certificate.nonpositive)
 
 
 @dataclass
@@ -71,33 +78,60 @@ def overlay(features, h, work, report=lambda stage, fraction: None, levels=0, si
     features: Features of the solid; work: a Work, added to; report(stage, fraction)
     levels: how often cells may be split in two where the solid is narrower than they are
     sizes: None, or a SizeField: elements smaller than h where it is smaller than its largest size, by as much
-    Linear in the cells, but for sorting.
+    Where hexes are left folded it is no more than a draft: `finished` may yet unfold them. Linear in the cells, but for
+    sorting.
     """
     captured, features = _captured(features, h, work, report, levels, sizes)
-    best, pinched = None, ""
-    for inside in (True, False):
-        try:
-            found = _filled(captured, features, h, inside, work, report)
-        except Pinched as fault:
-            pinched = str(fault)
-            continue
+    best = None
+    report("sheets", 0.0)
+    for mesh in _with_sheets(captured, features):
+        found = _filled(mesh, features, h, work, report)
         if best is None or found.rank > best.rank:
             best = found
         if best.good and best.quality.min > GOOD:
             break
-    if best is None:
-        raise NotCaptured("sheet", pinched)
     return best
 
 
-def _filled(mesh, features, h, inside, work, report):
-    """The Overlay of a captured mesh, with sheets that go on inside at concave curves, or not."""
-    report("sheets", 0.0)
-    mesh, _ = sheeted(mesh, features, inside=inside)
+def _with_sheets(captured, features):
+    """[CapturedMesh] with sheets that go on inside at concave curves, and with those that do not: the more promising
+    first. Raises NotCaptured where neither go in."""
+    found, pinched = [], ""
+    for inside in (True, False):
+        try:
+            found.append(sheeted(captured, features, inside=inside)[0])
+        except Pinched as fault:
+            pinched = str(fault)
+    if not found:
+        raise NotCaptured("sheet", pinched)
+    if len(found[0].hexes) > MANY_SHEETS * len(found[-1].hexes):
+        found.reverse()
+    return found
+
+
+def finished(draft, h, report=lambda stage, fraction: None):
+    """The Overlay after as many passes over folded hexes as may be of use: slow, for the most promising draft."""
+    report("slide", 0.0)
+    sliding = Sliding(draft.mesh, draft.features)
+    points = sliding.relax(draft.points, passes=PASSES, mean_passes=MEAN_PASSES, threads=1)
+    return _judged(draft.mesh, draft.features, points, sliding, h)
+
+
+def _filled(mesh, features, h, work, report):
+    """The Overlay of a captured mesh with sheets. It is polished only where nothing but its shapes wants it."""
     work.hexes += len(mesh.hexes)
     report("slide", 0.0)
     sliding = Sliding(mesh, features)
-    points = _in_place(mesh, features, sliding)
+    points, fine = _in_place(mesh, features, sliding)
+    found = _judged(mesh, features, points, sliding, h)
+    if fine or not found.good:
+        return found
+    points = sliding.relax(points, passes=PASSES, mean_passes=MEAN_PASSES, threads=1)
+    polished = _judged(mesh, features, points, sliding, h)
+    return max(found, polished, key=lambda one: one.rank)
+
+
+def _judged(mesh, features, points, sliding, h):
     faces = _faces_of_quads(mesh, points, features)
     return Overlay(mesh, features, points, faces, hn.quality(points, mesh.hexes),
                    hn.certify(points, mesh.hexes, mesh.quads),
@@ -121,12 +155,14 @@ def _captured(features, h, work, report, levels, sizes=None):
     points, hexes = _grid(features, frame, h, levels, sizes, rays)
     neighbours, full = HexNeighbours(hexes), fullness(points @ frame.T, hexes, rays)
     wanted = features.cad.tessellation.shells, features.handles()
-    fault = NotCaptured("cells", "no set of cells is one body")
+    fault, tried = NotCaptured("cells", "no set of cells is one body"), 0
     for found in cells(neighbours, full, wanted[0]):
         if (found.shells, found.euler) != wanted:
             fault = NotCaptured("cells", f"{found.shells} closed surfaces of Euler characteristic {found.euler}, not "
-                                f"{wanted[0]} of {wanted[1]}: walls or gaps thinner than the elements")
+                                f"{wanted[0]} of {wanted[1]}: walls or gaps thinner than the elements") if not tried \
+                else fault
             continue
+        tried += 1
         report("capture", 0.0)
         work.hexes += int(found.inside.sum())
         used, packed = np.unique(hexes[found.inside], return_inverse=True)
@@ -134,6 +170,8 @@ def _captured(features, h, work, report, levels, sizes=None):
             return capture_most(features, points[used], packed.reshape(-1, 8), h)
         except NotCaptured as error:
             fault = error
+        if tried >= MOST_SETS:
+            break
     raise fault
 
 
@@ -160,13 +198,18 @@ def _grid(features, frame, h, levels, sizes, rays):
 
 
 def _in_place(mesh, features, sliding):
-    """(P,3) all points relaxed and improved, while those of the boundary slide; first places that are good enough are
-    taken as they are: blocky parts stay on the grid."""
+    """((P,3) all points relaxed, while those of the boundary slide; whether they are as good as can be). First places
+    that are good enough are taken as they are: blocky parts stay on the grid. Passes over what stays folded are few:
+    they seldom help later."""
     start = placed(mesh, features, sliding)
     if hn.quality(start, mesh.hexes).min >= FINE:
-        return start
+        return start, True
     points = sliding.relax(start, threads=1)
-    folded = np.count_nonzero(hn.quality(points, mesh.hexes).scaled_jacobian <= 0.0)
-    if folded > MOST_FOLDED * len(mesh.hexes):
-        return points
-    return sliding.relax(points, passes=PASSES, mean_passes=MEAN_PASSES, threads=1)
+    for held in (True, False):
+        if 0 < _folded(points, mesh) <= MOST_FOLDED * len(mesh.hexes):
+            points = sliding.relax(points, (held,), passes=FEW_PASSES, threads=1)
+    return points, False
+
+
+def _folded(points, mesh):
+    return np.count_nonzero(hn.quality(points, mesh.hexes).scaled_jacobian <= 0.0)

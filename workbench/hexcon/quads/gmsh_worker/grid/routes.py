@@ -19,7 +19,7 @@ from .corner_places import embedded
 
 REACH = 2.5             # of the local edge length: vertices farther from a curve are none of its business
 STRAY = 2.2             # a path that goes farther from its curve is none
-ROUNDS = 40
+ROUNDS, PATIENCE = 40, 13       # of negotiation; rounds in which no fewer curves are in conflict
 FIRST_PRICE, DEARER, KEPT = 0.3, 1.35, 0.4     # of sharing: at first, by round; what a fought-over place keeps
 BEND, BEND_CONVEX = 1.5, 0.3    # cost of a quad with two edges on a curve; on a convex one it has a cheap remedy
 CONVEX = 140.0          # degrees inside
@@ -46,7 +46,8 @@ class Band:
         keep = np.abs(self.step) <= np.maximum(3.0 * skin.length[h], 0.3 * skin.scale[tail[h]])
         self.h, self.tail, self.head, self.step = (x[keep] for x in (self.h, self.tail, self.head, self.step))
         self.base = self._costs(guess)
-        self._find_bends()
+        first, second, bend = self._bends()
+        self.rise, self.graph = self._graph(first, second, bend)
 
     def _near(self):
         """(vertices, arc length of the nearest point of the curve, distance in local edge lengths)."""
@@ -88,8 +89,8 @@ class Band:
         back = np.where(self.step < 0, 2.0, 1.0)
         return np.maximum(length, 0.3) * factor * (1 + 3 * d * d) * (1 + np.minimum(turn, 4) ** 4) * back
 
-    def _find_bends(self):
-        """Pairs of edges that follow one another, with the cost of the bend: `first`, `second` rows of h, `bend`."""
+    def _bends(self):
+        """Pairs of edges that follow one another, with the cost of the bend: (rows of h, rows of h, costs)."""
         skin, m = self.skin, len(self.h)
         order = np.argsort(self.tail, kind="stable")
         start = np.searchsorted(self.tail[order], np.arange(len(self.vertices) + 1))
@@ -98,13 +99,26 @@ class Band:
         place = np.arange(len(first)) - np.repeat(np.cumsum(count) - count, count)
         second = order[start[self.head[first]] + place]
         keep = self.head[second] != self.tail[first]
-        self.first, self.second = first[keep], second[keep]
-        back = skin.turn_of[skin.half_edges.twin[self.h[self.first]]]
-        valence = skin.valence[self.vertices[self.head[self.first]]]
-        left = (back - skin.turn_of[self.h[self.second]]) % valence
+        first, second = first[keep], second[keep]
+        back = skin.turn_of[skin.half_edges.twin[self.h[first]]]
+        valence = skin.valence[self.vertices[self.head[first]]]
+        left = (back - skin.turn_of[self.h[second]]) % valence
         one = np.minimum(left, valence - left) == 1
         three = np.maximum(left, valence - left) >= 3
-        self.bend = one * (BEND_CONVEX if self.curve.angle < CONVEX else BEND) + 0.5 * BEND_CONVEX * three
+        return first, second, one * (BEND_CONVEX if self.curve.angle < CONVEX else BEND) + 0.5 * BEND_CONVEX * three
+
+    def _graph(self, first, second, bend):
+        """(by how much the copy of the band rises over each edge, _EdgeGraph): a loop goes from one copy into another."""
+        m = len(self.h)
+        wrap = self.s[self.head] - self.s[self.tail]
+        rise = (wrap < -self.curve.length / 2).astype(int) - (wrap > self.curve.length / 2)
+        if not self.loop:
+            return rise, _EdgeGraph(m, first, second, bend)
+        level = rise[second]
+        up, down = level >= 0, level <= 0
+        return rise, _EdgeGraph(2 * m, np.concatenate([first[up], first[down] + m]),
+                                np.concatenate([second[up] + m * level[up], second[down] + m * (1 + level[down])]),
+                                np.concatenate([bend[up], bend[down]]))
 
     def _turning(self, tail, head):
         """By how much the curve turns over an edge, in radians."""
@@ -139,17 +153,19 @@ class Routes:
         self.corner[vertex] = np.arange(len(vertex))
         self.edge_used = np.zeros(len(skin.rows) * 2, int)
         self.edge_price = np.zeros(len(skin.rows) * 2)
+        self._round_corners = [self.skin.outgoing(int(v)) for v in vertex]
         self.ports = self._ports(places)        # (curve, sign) -> half-edge it should leave its corner by
         self.port_price = {}                    # (curve, sign) -> price of another
-        self.paths = {}
+        self.paths, self.edges = {}, {}         # vertices and undirected edges of each curve's path
         self.base = [band.base for band in bands]
+        self._bars = {}
         self.tried = np.zeros(len(bands), int)  # how often more edges were asked of a curve
 
     def _ports(self, places):
         out = {}
         for k, ends in enumerate(places.ends):
             v = int(self.vertex[k])
-            h = np.array(self.skin.outgoing(v))
+            h = np.array(self._round_corners[k])
             forbidden = np.zeros((len(ends.ends), len(h)), bool)
             there = self.corner[self.skin.half_edges.head[h]]
             for row, (c, sign) in enumerate(ends.ends):
@@ -166,7 +182,7 @@ class Routes:
     def negotiated(self):
         """curve -> vertices of its path, from its start; first is last for a closed one. Raises NotCaptured."""
         todo = sorted(range(len(self.bands)), key=lambda c: (self.model.curves[c].length, c))
-        price = FIRST_PRICE
+        price, fewest, since = FIRST_PRICE, len(todo) + 1, 0
         for _ in range(ROUNDS):
             for c in todo:
                 self._take_up(c)
@@ -176,17 +192,21 @@ class Routes:
                 return self.paths
             todo = [c for c in sorted(wrong, key=lambda c: (self.model.curves[c].length, c))]
             price *= DEARER
+            fewest, since = min(fewest, len(todo)), 0 if len(todo) < fewest else since + 1
+            if since > PATIENCE:
+                break
         crossed = np.flatnonzero((self.used > 1) | ((self.used > 0) & (self.corner >= 0)))
         place = self.skin.points[crossed[0]] if len(crossed) else self.model.curves[todo[0]].samples[0]
         raise NotCaptured("curve", "no paths that do not meet for curves " + ", ".join(map(str, todo[:6])) +
                           ": smaller elements are needed between them", place, curves=todo)
 
     def _lay(self, c, path, sign=1):
-        self.paths[c] = path
+        if sign > 0:
+            self.paths[c] = path
+            self.edges[c] = self.skin.edge_of[self.skin.half_edges.find(path[:-1], path[1:])]
         inner = path[:-1] if self.bands[c].curve.closed else path[1:-1]
         np.add.at(self.used, inner, sign)
-        h = self.skin.half_edges.find(path[:-1], path[1:])
-        np.add.at(self.edge_used, self.skin.edge_of[h], sign)
+        np.add.at(self.edge_used, self.edges[c], sign)
 
     def _take_up(self, c):
         if c in self.paths:
@@ -200,24 +220,20 @@ class Routes:
         self.edge_price[bad_edge] += KEPT
         wrong = set()
         for c, path in self.paths.items():
-            edges = self.skin.edge_of[self.skin.half_edges.find(path[:-1], path[1:])]
-            if bad[path].any() or bad_edge[edges].any():
+            if bad[path].any() or bad_edge[self.edges[c]].any():
                 wrong.add(c)
         return wrong
 
     def _disorder(self):
         """Curves round corners that leave in an order that the patches between them do not allow."""
-        leaves = {}
-        for c, path in self.paths.items():
-            curve = self.model.curves[c]
-            if curve.closed:
-                continue
-            first, last = self.skin.half_edges.find([path[0], path[-1]], [path[1], path[-2]])
-            leaves[int(first)] = (c, 1)
-            leaves[int(last)] = (c, -1)
+        open_ones = [(c, path) for c, path in self.paths.items() if not self.model.curves[c].closed]
+        ends = [(c, sign) for c, _ in open_ones for sign in (1, -1)]
+        tails = [v for _, path in open_ones for v in (path[0], path[-1])]
+        heads = [v for _, path in open_ones for v in (path[1], path[-2])]
+        leaves = dict(zip(self.skin.half_edges.find(tails, heads).tolist(), ends))
         wrong = set()
-        for v in self.vertex.tolist():
-            ends = [leaves[h] for h in self.skin.outgoing(v) if h in leaves]
+        for round_it in self._round_corners:
+            ends = [leaves[h] for h in round_it if h in leaves]
             for (c, sign), (d, other) in zip(ends, ends[1:] + ends[:1]):
                 left = (self.model.curves[c].left, self.model.curves[c].right)[::sign][0]
                 right = (self.model.curves[d].left, self.model.curves[d].right)[::other][1]
@@ -236,8 +252,7 @@ class Routes:
             if len(path) - 1 >= band.least_edges() or self.tried[c] >= 3:
                 continue
             self.tried[c] += 1
-            edges = self.skin.edge_of[self.skin.half_edges.find(path[:-1], path[1:])]
-            self.base[c] = self.base[c] * np.where(np.isin(self.skin.edge_of[band.h], edges), 2.5, 1.0)
+            self.base[c] = self.base[c] * np.where(np.isin(self.skin.edge_of[band.h], self.edges[c]), 2.5, 1.0)
             wrong.add(c)
         return wrong
 
@@ -246,49 +261,52 @@ class Routes:
         v, edge = band.vertices[band.head], self.skin.edge_of[band.h]
         cost = self.base[c] * (1 + price * (self.used[v] + self.edge_used[edge]))
         cost = cost + self.price[v] + self.edge_price[edge]
-        mine = self.vertex[band.corners]
-        foreign = (self.corner[band.vertices] >= 0) & ~np.isin(band.vertices, mine)
-        cost[foreign[band.head] | foreign[band.tail]] = np.inf
-        for sign in (1, -1):
-            if (c, sign) in self.ports:
-                h = self.ports[c, sign]
-                v = self.skin.half_edges.tail[h]
-                at = band.vertices[band.tail if sign > 0 else band.head] == v
-                same = band.h == (h if sign > 0 else self.skin.half_edges.twin[h])
-                cost[at & ~same] += 0.3 + self.port_price.get((c, sign), 0.0)
-        path = self._loop(band, cost, price) if band.loop else self._between(band, cost)
+        barred, others = self._barred(c)
+        cost[barred] = np.inf
+        for end, rows in others:
+            cost[rows] += 0.3 + self.port_price.get(end, 0.0)
+        path = self._loop(band, cost) if band.loop else self._between(band, cost)
         if path is None:
             raise NotCaptured("curve", f"curve {c} of {band.curve.length:.3g} finds no path: it wants smaller elements",
                               band.curve.sampled(np.array([band.curve.length / 2]))[0], curves=[c])
         return path
 
+    def _barred(self, c):
+        """(edges that touch corners of others, [(end of the curve, edges at its corner that are not its port)])."""
+        if c not in self._bars:
+            band = self.bands[c]
+            foreign = (self.corner[band.vertices] >= 0) & ~np.isin(band.vertices, self.vertex[band.corners])
+            barred, others = foreign[band.head] | foreign[band.tail], []
+            for sign in (1, -1):
+                if (c, sign) in self.ports:
+                    h = self.ports[c, sign]
+                    at = band.vertices[band.tail if sign > 0 else band.head] == self.skin.half_edges.tail[h]
+                    same = band.h == (h if sign > 0 else self.skin.half_edges.twin[h])
+                    others.append(((c, sign), np.flatnonzero(at & ~same)))
+            if not band.loop:
+                start, goal = self._ends(band)
+                barred |= (band.head == start) | (band.tail == goal)
+            self._bars[c] = barred, others
+        return self._bars[c]
+
+    def _ends(self, band):
+        return (int(band.row_of[self.vertex[k]]) for k in band.corners)
+
     def _between(self, band, cost):
-        start, goal = (int(band.row_of[self.vertex[k]]) for k in band.corners)
+        start, goal = self._ends(band)
         if min(start, goal) < 0:
             return None
-        cost[(band.head == start) | (band.tail == goal)] = np.inf
-        graph = _EdgeGraph(len(band.h), band.first, band.second, cost[band.first] + band.bend)
-        edges, _ = graph.cheapest(np.flatnonzero(band.tail == start), np.flatnonzero(band.head == goal), cost)
+        edges, _ = band.graph.cheapest(np.flatnonzero(band.tail == start), np.flatnonzero(band.head == goal), cost)
         return None if edges is None else _without_loops(_vertices(band, edges))
 
-    def _loop(self, band, cost, price):
+    def _loop(self, band, cost):
         """Once round: in two copies of the band, from an edge in the first to itself in the second."""
         m = len(band.h)
         if m < 3:
             return None
-        wrap = band.s[band.head] - band.s[band.tail]
-        rise = (wrap < -band.curve.length / 2).astype(int) - (wrap > band.curve.length / 2)
-        level = rise[band.second]
-        bend, first, second = [], [], []
-        for layer, rows in ((0, level >= 0), (1, level <= 0)):
-            first.append(band.first[rows] + m * layer)
-            second.append(band.second[rows] + m * (layer + level[rows]))
-            bend.append(band.bend[rows])
-        first, second = np.concatenate(first), np.concatenate(second)
-        graph = _EdgeGraph(2 * m, first, second, np.concatenate([cost, cost])[first] + np.concatenate(bend))
-        best, found = np.inf, None
-        for starts, goals in self._turns_round(band, cost, rise, price):
-            edges, value = graph.cheapest(starts, goals + m, np.concatenate([cost, cost]))
+        best, found, twice = np.inf, None, np.concatenate([cost, cost])
+        for starts, goals in self._turns_round(band, cost):
+            edges, value = band.graph.cheapest(starts, goals + m, twice)
             if edges is None or value >= best:
                 continue
             path = _vertices(band, edges % m)
@@ -297,32 +315,32 @@ class Routes:
                 best, found = value, path
         return found
 
-    def _turns_round(self, band, cost, rise, price):
+    def _turns_round(self, band, cost):
         """[(edges to begin with, to end with)]: those of the corner, or a good edge in each quarter, and itself."""
         if band.corners:
             k = int(band.row_of[self.vertex[band.corners[0]]])
-            return [(np.flatnonzero((band.tail == k) & (rise == 0)), np.flatnonzero(band.head == k))] if k >= 0 else []
+            return [(np.flatnonzero((band.tail == k) & (band.rise == 0)), np.flatnonzero(band.head == k))] if k >= 0 else []
         quarter = np.minimum((4 * band.s[band.tail] / band.curve.length).astype(int), 3)
-        usable = np.isfinite(cost) & (rise == 0)
+        usable = np.isfinite(cost) & (band.rise == 0)
         return [(rows[one:one + 1], rows[one:one + 1]) for q in range(4)
                 if len(rows := np.flatnonzero(usable & (quarter == q)))
                 for one in [int(np.lexsort((band.h[rows], cost[rows]))[0])]]
 
 
 class _EdgeGraph:
-    """Edges as nodes; cost (t,) of going on from edge first to edge second, the first edge's own cost in it."""
+    """Edges as nodes; bend (t,): what it costs to go on from edge first to edge second, but for the first's own cost."""
 
-    def __init__(self, count, first, second, cost):
-        usable = np.isfinite(cost)
-        first, second, cost = first[usable], second[usable], cost[usable]
+    def __init__(self, count, first, second, bend):
         order = np.lexsort((second, first))
+        self._first, self._bend = first[order], bend[order]
         start = np.concatenate([[0], np.cumsum(np.bincount(first, minlength=count))])
-        self._graph = csr_matrix((cost[order], second[order], start), shape=(count, count))
+        self._graph = csr_matrix((self._bend.copy(), second[order], start), shape=(count, count))
 
     def cheapest(self, starts, goals, own):
         """(edges of the cheapest path from any start to any goal, cost), or (None, inf); own: costs of edges."""
         if not len(starts) or not len(goals):
             return None, np.inf
+        self._graph.data = own[self._first] + self._bend
         far, before, _ = dijkstra(self._graph, indices=starts, return_predecessors=True, min_only=True)
         total = far[goals] + own[goals]
         best = int(total.argmin())

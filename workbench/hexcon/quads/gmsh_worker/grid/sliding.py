@@ -59,11 +59,12 @@ class Sliding:
         points[self.corner_vertex] = self._corners
         return hn.project_points(points, self.carrier_of_point, self._on.rows, project=self._on.project)[0]
 
-    def relax(self, points, **options):
-        """hexcon_native.relax of these points. Those of curves are held at first: carriers have no ends, and where
-        points beside them begin on its other side they would leave past a corner."""
+    def relax(self, points, curves_held=(True, False), **options):
+        """hexcon_native.relax of these points, once with those of curves held or not for each of `curves_held`. At
+        first they are best held: where points beside them begin on the other side they would slide together."""
         on_curves = (self.carrier_of_point >= 0) & (self.carrier_of_point < self._on.curves)
-        for carriers in (np.where(on_curves, STAYS, self.carrier_of_point), self.carrier_of_point):
+        for held in curves_held:
+            carriers = np.where(on_curves, STAYS, self.carrier_of_point) if held else self.carrier_of_point
             points = hn.relax(points, self._hexes, carriers, self._on.rows, project=self._on.project, **options)
         return points
 

@@ -9,11 +9,12 @@ from ..fault import WorkerFault
 from .captured import NotCaptured
 from .cells_to_split import LEVELS
 from .features import EVERY_EDGE, SMOOTH, Cad, Features
-from .overlay import GOOD, LONGEST, Work, overlay
+from .overlay import GOOD, LONGEST, MOST_FOLDED, Work, finished, overlay
 from .quad_count import quad_count_words
 from .too_small import too_small
 
 THIN = 0.45             # smaller parts of the size are tried only where nothing else came out
+DRAFTS = 2              # with folded hexes that are worked on, where nothing else came out
 BUDGET, TIMES = 20_000, 4.0     # hexes looked at in all tries, or so many times those of the first
 # Of the time limit, in processor time: no try is begun then; nor, where there is a mesh, then; the last one is ended.
 SHARE, SHARE_OF_BETTER, MOST = 0.4, 0.2, 0.5
@@ -50,42 +51,92 @@ def grid_surface(solid, size, link, timeout, sizes=None, care=0):
     if care:
         raise WorkerFault("NOT_GRIDDED", "a grid was tried at larger sizes, down to parts of this one")
     link.progress("features", 0.0)
-    link.patience, begun = MOST * timeout, time.process_time()
+    link.patience = MOST * timeout
     if not link.risk("grid"):
         raise WorkerFault("NOT_GRIDDED", f"not done in {MOST:g} of the time limit: more time, or a larger size, may do")
-    cad, work, faults, best, limit = Cad(solid, size), Work(), [], None, BUDGET
-    known = {}
-    for number, one in enumerate(TRIES):
-        late = time.process_time() - begun > (SHARE if best is None else SHARE_OF_BETTER) * timeout
-        if late or work.hexes > limit or (best is not None and one.factor < THIN):
-            break
-        features = _features(cad, one, size, known)
-        if features is None:
-            continue
-        try:
-            found = overlay(features, size * one.factor, work, _reporting(link, number), one.levels, sizes)
-        except (NotCaptured, ValueError, hn.HexconError) as fault:
-            faults.append(f"{one}: {fault}")
-            continue
-        finally:
-            limit = max(limit, TIMES * work.hexes) if number == 0 else limit
-        if found.good and (best is None or found.rank > best[0].rank):
-            best = found, found.features, one
-        if found.good and found.quality.min > GOOD:
-            break
-        faults.append(f"{one}: {_shortcomings(found)}")
-    small, faces = too_small(_known(cad, SMOOTH, frozenset(), known), size)
-    faults += [small] if small else []
-    if best is None:
-        raise WorkerFault("NOT_GRIDDED", "; ".join(faults), faces)
+    tries = _Tries(Cad(solid, size), size, link, timeout, sizes)
+    tries.run()
+    if tries.best is None:
+        tries.finish_drafts()
+    sharp = tries.features_of(SMOOTH, frozenset())
+    small, faces = too_small(sharp, size)
+    tries.faults += [small] if small else []
+    if tries.best is None:
+        raise WorkerFault("NOT_GRIDDED", "; ".join(tries.faults), faces)
     if sizes is not None and sizes.least < size / 2 ** LEVELS / LONGEST:
-        faults.append(f"cells are split {LEVELS} times at most: sizes below {size / 2 ** LEVELS:.3g} are not reached")
-    counted = quad_count_words(len(best[0].mesh.quads), _known(cad, SMOOTH, frozenset(), known), size, sizes)
-    return _surface(*best, faults + ([counted] if counted else []))
+        tries.faults.append(f"cells are split {LEVELS} times at most: sizes below {size / 2 ** LEVELS:.3g} are not "
+                            "reached")
+    counted = quad_count_words(len(tries.best[0].mesh.quads), sharp, size, sizes)
+    return _surface(*tries.best, tries.faults + ([counted] if counted else []))
 
 
-def _reporting(link, number):
-    return lambda stage, fraction: link.progress(stage, (number + fraction) / len(TRIES))
+class _Tries:
+    """best: (Overlay, Try) that may be handed on, or None; drafts: [(Overlay, Try)] with folded hexes; faults: words."""
+
+    def __init__(self, cad, size, link, timeout, sizes):
+        self.cad, self.size, self.link, self.timeout, self.sizes = cad, size, link, timeout, sizes
+        self.begun, self.work, self.limit = time.process_time(), Work(), BUDGET
+        self.best, self.drafts, self.faults = None, [], []
+        self._known = {}
+
+    def run(self):
+        for number, one in enumerate(TRIES):
+            if self._is_over(one):
+                break
+            features = self._features(one)
+            if features is None:
+                continue
+            try:
+                found = overlay(features, self.size * one.factor, self.work, self._reporting(number), one.levels,
+                                self.sizes)
+            except (NotCaptured, ValueError, hn.HexconError) as fault:
+                self.faults.append(f"{one}: {fault}")
+                continue
+            finally:
+                self.limit = max(self.limit, TIMES * self.work.hexes) if number == 0 else self.limit
+            self._keep(found, one)
+            if found.good and found.quality.min > GOOD:
+                break
+            self.faults.append(f"{one}: {_shortcomings(found)}")
+
+    def finish_drafts(self):
+        """The best of those with folded hexes, with all passes that there are."""
+        for draft, one in sorted(self.drafts, key=lambda d: d[0].rank, reverse=True)[:DRAFTS]:
+            if self._is_late(SHARE) or draft.folded > MOST_FOLDED * len(draft.mesh.hexes):
+                return
+            self._keep(finished(draft, self.size * one.factor, self._reporting(len(TRIES) - 1)), one)
+            if self.best is not None:
+                return
+
+    def _keep(self, found, one):
+        if not found.good:
+            self.drafts += [(found, one)] if found.folded else []
+        elif self.best is None or found.rank > self.best[0].rank:
+            self.best = found, one
+            self.link.keep(_surface(found, one, self.faults))
+
+    def _is_over(self, one):
+        return self._is_late(SHARE if self.best is None else SHARE_OF_BETTER) or self.work.hexes > self.limit or \
+            (self.best is not None and one.factor < THIN)
+
+    def _is_late(self, share):
+        return time.process_time() - self.begun > share * self.timeout
+
+    def _reporting(self, number):
+        return lambda stage, fraction: self.link.progress(stage, (number + fraction) / len(TRIES))
+
+    def _features(self, one):
+        """Features of a try, or None where they are those of another."""
+        sharp = self.features_of(SMOOTH, frozenset())
+        soft = frozenset(sharp.slivers(self.size * one.factor)) if one.slivers else frozenset()
+        found = self.features_of(one.smooth, soft)
+        same = (one.slivers and not soft) or (one.smooth < 0.0 and len(found.curves) == len(sharp.curves))
+        return None if same else found
+
+    def features_of(self, smooth, soft):
+        if (smooth, soft) not in self._known:
+            self._known[smooth, soft] = Features(self.cad, smooth, soft)
+        return self._known[smooth, soft]
 
 
 def _shortcomings(found):
@@ -100,23 +151,8 @@ def _shortcomings(found):
     return ", ".join(words + found.kept.faults)
 
 
-def _features(cad, one, size, known):
-    """Features of a try, or None where they are those of another. known: (smooth, soft) -> Features, added to."""
-    sharp = _known(cad, SMOOTH, frozenset(), known)
-    soft = frozenset(sharp.slivers(size * one.factor)) if one.slivers else frozenset()
-    found = _known(cad, one.smooth, soft, known)
-    same = (one.slivers and not soft) or (one.smooth < 0.0 and len(found.curves) == len(sharp.curves))
-    return None if same else found
-
-
-def _known(cad, smooth, soft, known):
-    if (smooth, soft) not in known:
-        known[smooth, soft] = Features(cad, smooth, soft)
-    return known[smooth, soft]
-
-
-def _surface(found, features, one, faults):
-    mesh = found.mesh
+def _surface(found, one, faults):
+    mesh, features = found.mesh, found.features
     notes = [f"grid: {len(mesh.hexes)} hexes at {one}; edges within {found.kept.chord:.2f} of their size",
              *(f"grid: {fault}" for fault in faults)]
     left_out = sorted(features.edges[e].tag for e in features.soft)
