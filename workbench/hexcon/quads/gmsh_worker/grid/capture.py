@@ -20,8 +20,8 @@ TRIES = 6               # placements of corners
 def capture(model, points, hexes, tries=TRIES):
     """A CapturedMesh of hexes (H, 8) whose boundary lies near the model's faces. Raises NotCaptured.
 
-    tries: placements of corners. Where a corner has more curves than any vertex near it has edges, hexes are put in. Cost: O(H log H), and paths
-    within bands about the curves, times the rounds of negotiation.
+    tries: placements of corners. Where a corner has more curves than any vertex near it has edges, hexes are put in.
+    Cost: O(H log H), and paths within bands about the curves, times the rounds of negotiation.
     """
     skin = Skin(points, hexes)
     guess = guessed_patches(model, skin)

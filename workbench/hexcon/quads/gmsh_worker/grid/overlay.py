@@ -33,7 +33,7 @@ FINE = 0.95                 # least scaled Jacobian of first places that are tak
 MOST_FOLDED = 0.006         # part of the hexes: with more left folded, passes over them are lost time
 MOST_SETS = 2               # of cells with the solid's topology that are tried
 MANY_SHEETS = 1.5           # times the hexes: sheets that go on inside are then too many to be tried first
-FEW_PASSES, PASSES, MEAN_PASSES = 3, 9, 4       # of hexcon_native.relax: over folded hexes at first, at most, and the mean
+FEW_PASSES, PASSES, MEAN_PASSES = 3, 9, 4   # of hexcon_native.relax: over folded hexes, over certified ones
 
 
 @dataclass

@@ -108,7 +108,7 @@ class Band:
         return first, second, one * (BEND_CONVEX if self.curve.angle < CONVEX else BEND) + 0.5 * BEND_CONVEX * three
 
     def _graph(self, first, second, bend):
-        """(by how much the copy of the band rises over each edge, _EdgeGraph): a loop goes from one copy into another."""
+        """(into how much higher a copy of the band each edge leads, _EdgeGraph): a loop goes into another copy."""
         m = len(self.h)
         wrap = self.s[self.head] - self.s[self.tail]
         rise = (wrap < -self.curve.length / 2).astype(int) - (wrap > self.curve.length / 2)
@@ -319,7 +319,8 @@ class Routes:
         """[(edges to begin with, to end with)]: those of the corner, or a good edge in each quarter, and itself."""
         if band.corners:
             k = int(band.row_of[self.vertex[band.corners[0]]])
-            return [(np.flatnonzero((band.tail == k) & (band.rise == 0)), np.flatnonzero(band.head == k))] if k >= 0 else []
+            starts = np.flatnonzero((band.tail == k) & (band.rise == 0))
+            return [(starts, np.flatnonzero(band.head == k))] if k >= 0 else []
         quarter = np.minimum((4 * band.s[band.tail] / band.curve.length).astype(int), 3)
         usable = np.isfinite(cost) & (band.rise == 0)
         return [(rows[one:one + 1], rows[one:one + 1]) for q in range(4)
@@ -328,7 +329,7 @@ class Routes:
 
 
 class _EdgeGraph:
-    """Edges as nodes; bend (t,): what it costs to go on from edge first to edge second, but for the first's own cost."""
+    """Edges as nodes; bend (t,): what it costs to go on from edge first to edge second, beside the first's own cost."""
 
     def __init__(self, count, first, second, bend):
         order = np.lexsort((second, first))

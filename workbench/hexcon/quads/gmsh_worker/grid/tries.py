@@ -71,7 +71,8 @@ def grid_surface(solid, size, link, timeout, sizes=None, care=0):
 
 
 class _Tries:
-    """best: (Overlay, Try) that may be handed on, or None; drafts: [(Overlay, Try)] with folded hexes; faults: words."""
+    """best: (Overlay, Try) that may be handed on, or None; drafts: [(Overlay, Try)] with folded hexes; faults: words.
+    """
 
     def __init__(self, cad, size, link, timeout, sizes):
         self.cad, self.size, self.link, self.timeout, self.sizes = cad, size, link, timeout, sizes

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The grid's tries: what is good is kept at once, what stays folded costs little, what has no paths is given up."""
+import numpy as np
+import pytest
+
+from hexcon.quads.gmsh_worker.grid import overlay as overlays
+from hexcon.quads.gmsh_worker.grid import routes, tries
+from hexcon.quads.gmsh_worker.grid.captured import NotCaptured
+
+
+class Link:
+    """What the worker tells, kept."""
+
+    patience = None
+
+    def __init__(self):
+        self.kept = []
+
+    def progress(self, stage, fraction):
+        assert 0.0 <= fraction <= 1.0
+
+    def risk(self, name):
+        return True
+
+    def keep(self, mesh):
+        self.kept.append(mesh)
+
+
+def blind(occ):
+    occ.cut([(3, occ.addBox(0, 0, 0, 6, 6, 4))], [(3, occ.addCylinder(3, 3, 1.5, 0, 0, 3, 1.5))])
+
+
+def test_a_good_mesh_is_kept_before_better_ones_are_sought(features, monkeypatch):
+    """With a bound that no mesh reaches every try is made; the best so far has been kept each time."""
+    monkeypatch.setattr(tries, "GOOD", 1.1)
+    monkeypatch.setattr(tries, "TRIES", tries.TRIES[:1] + (tries.Try(0.8),))
+    solid, link = features(blind, 1.5).cad.solid, Link()
+    mesh = tries.grid_surface(solid, 1.5, link, 600.0)
+    assert link.kept and np.array_equal(link.kept[-1]["hexes"], mesh["hexes"])
+    assert any("least scaled Jacobian" in note for note in mesh["notes"])
+
+
+def test_folded_hexes_get_few_passes_and_drafts_are_finished_last(features, monkeypatch):
+    """Where relaxation leaves all as it was: no polish; drafts are told by their folded hexes, and refused in the end."""
+    asked = []
+
+    def relax(self, points, curves_held=(True, False), passes=0, **options):
+        asked.append(passes)
+        return points + 0.0 if passes else np.zeros_like(points)
+    monkeypatch.setattr(overlays.Sliding, "relax", relax)
+    monkeypatch.setattr(tries, "TRIES", tries.TRIES[1:2])
+    solid, link = features(blind, 1.5).cad.solid, Link()
+    with pytest.raises(tries.WorkerFault, match="hexes not positive"):
+        tries.grid_surface(solid, 1.5, link, 600.0)
+    assert not link.kept and overlays.PASSES not in asked
+
+
+def test_curves_without_room_are_given_up_soon(features, monkeypatch):
+    """Two holes half an element apart: rounds that bring nothing are few."""
+    def near(occ):
+        holes = [(3, occ.addCylinder(x, 3, -1, 0, 0, 4, 1.0)) for x in (1.9, 4.1)]
+        occ.cut([(3, occ.addBox(0, 0, 0, 6, 6, 2))], holes)
+    rounds, conflicts = [], routes.Routes._conflicts
+    monkeypatch.setattr(routes.Routes, "_conflicts", lambda self: rounds.append(self) or conflicts(self))
+    found = features(near, 2.0)
+    with pytest.raises(NotCaptured):
+        overlays.overlay(found, 2.0, overlays.Work())
+    times = [sum(one is r for one in rounds) for r in set(rounds)]
+    assert times and max(times) <= len(found.curves) + routes.PATIENCE + 1 < routes.ROUNDS
+
