@@ -191,10 +191,10 @@ def test_the_solid_that_counts(app, tmp_path, make):
 
 @pytest.mark.parametrize("make, chosen, right", [
     (body_and_helper, {"object_name": "Body"}, BOX), (body_and_helper, {"object_name": "Loose block"}, (125, (0, 0,
-                                                                                                              0))),
+        0))),
     (body_and_helper, {"number": 2}, (125, (0, 0, 0))), (hole_in_body, {"object_name": "BodyBox"}, BOX),
     (hidden_helper, {"object_name": "Helper"}, (125, (0, 0, 0))), (moved_part, {"object_name": "Part"}, (6000, (80, 0,
-                                                                                                                0))),
+        0))),
     (moved_part, {"object_name": "BodyBox"}, (6000, (80, 0, 0))),
     (one_body, {"scale": 1000.0}, (6e12, (0, 0, 0)))])
 def test_a_solid_is_chosen(app, tmp_path, make, chosen, right):
@@ -225,7 +225,7 @@ def test_nothing_is_dropped_in_silence(app, tmp_path):
     with zipfile.ZipFile(path) as old, zipfile.ZipFile(renamed, "w", zipfile.ZIP_DEFLATED) as new:
         for entry in old.infolist():
             new.writestr(entry.filename, old.read(entry).replace(b'type="PartDesign::Body"',
-                                                                 b'type="PartDesign::Later"'))
+            b'type="PartDesign::Later"'))
     with pytest.raises(ToolError, match="Body \\(PartDesign::Later\\)") as caught:
         solid_as_brep(renamed, tmp_path / "solid.brep")
     assert caught.value.code is FaultCode.FREECAD_MISSING

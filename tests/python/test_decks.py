@@ -65,7 +65,7 @@ DECKS = {
     "an instance": (part(BOX) + assembly(instance()), 8, 6000, (0, 0, 0)),
     "an instance moved": (part(BOX) + assembly(instance("100., 0., 0.\n")), 8, 6000, (100, 0, 0)),
     "an instance moved and turned": (part(BOX) + assembly(instance("100., 0., 0.\n100., 0., 0., 100., 0., 1., "
-                                                                   "90.\n")), 8, 6000,
+        "90.\n")), 8, 6000,
                                      (80, 0, 0)),
     "two instances of one part": (part(BOX) + assembly(instance(), instance("50.,\n", "A-2")), 16, 12000, (0, 0, 0)),
     "numbers that restart": (part(BOX) + part(BOX, "B") + assembly(instance(), instance("0, 50\n", "B-1", "B")), 16,
@@ -86,7 +86,7 @@ DECKS = {
                        + "*NCOPY, CHANGE NUMBER=20, OLD SET=S, REFLECT=POINT\n5, 10, 15\n"
                        + elements(HEXES[:4], shift=1), 4, 3000, (0, 0, 15)),
     "ELCOPY": (nodes() + elements(HEXES[:4], more=", ELSET=LOW") + "*ELCOPY, ELEMENT SHIFT=4, OLD SET=LOW, SHIFT "
-                                                                   "NODES=9\n", 8, 6000,
+        "NODES=9\n", 8, 6000,
                (0, 0, 0)),
 }
 
@@ -116,11 +116,11 @@ def test_kinds_of_quads(tmp_path, kind):
     points, rows = with_middles(OUTER)
     if "9" in kind:
         points, rows = np.vstack([points, points[rows[:, :4]].mean(axis=1)]), np.hstack([rows, np.arange(24)[:, None]
-                                                                                         + len(points)])
+        + len(points)])
     rows = rows[:, :int(next(c for c in kind.replace("3D", "") if c in "489"))]
     surface = surface_from_file(write(tmp_path, nodes(points) + elements(rows, kind)))
     assert len(surface.quads) == 24 and len(surface.points) == 26 and np.isclose(volume_of(surface.points,
-                                                                                           surface.quads), 6000)
+        surface.quads), 6000)
 
 
 def test_the_same_reader_for_all(tmp_path):
@@ -128,16 +128,16 @@ def test_the_same_reader_for_all(tmp_path):
     path = write(tmp_path, part(SHELL) + assembly(instance("100., 0., 0.\n100., 0., 0., 101., 0., 0., 90.\n")))
     surface = surface_from_file(path)
     assert np.allclose(surface.points.min(axis=0), (100, -30, 0)) and np.isclose(volume_of(surface.points,
-                                                                                           surface.quads), 6000)
+        surface.quads), 6000)
 
 
 INCLUDED = {
     "beside it": ({"rest.inp": elements(HEXES[4:], first=5)}, nodes() + elements(HEXES[:4]) + "*INCLUDE, "
-                                                                                              "INPUT=rest.inp\n"),
+        "INPUT=rest.inp\n"),
     "quoted, with a blank": ({"the rest.inp": elements(HEXES[4:], first=5)},
                              nodes() + elements(HEXES[:4]) + '*INCLUDE, INPUT="the rest.inp"\n'),
     "nested, in folders": ({"sub/a.inp": nodes() + "*INCLUDE, INPUT=b.inp\n", "sub/b.inp": elements()}, "*INCLUDE, "
-                                                                                                        "INPUT=sub/a.inp\n"),
+        "INPUT=sub/a.inp\n"),
     "from the deck's folder": ({"sub/a.inp": nodes() + "*INCLUDE, INPUT=sub/b.inp\n", "sub/b.inp": elements()},
                                "*INCLUDE, INPUT=sub/a.inp\n"),
     "data of a card": ({"n.txt": nodes().split("\n", 1)[1], "e.txt": elements().split("\n", 1)[1]},
@@ -164,7 +164,7 @@ REFUSED = {
     "parameters": ("*PARAMETER\na = 3\n" + BOX, FaultCode.FILE_FORMAT, ("PARAMETER", "line 1")),
     "a system not known": (BOX.replace("*NODE", "*NODE, SYSTEM=Q"), FaultCode.FILE_FORMAT, ("SYSTEM=Q", "line 1")),
     "too few nodes": (nodes() + elements() + "*ELEMENT, TYPE=C3D8\n9, 1, 2, 3\n", FaultCode.FILE_FORMAT, ("line 39",
-                                                                                                          "C3D8")),
+        "C3D8")),
     "a node that is not there": (BOX.replace("8, 14,", "8, 9914,"), FaultCode.FILE_FORMAT, ("9914",)),
     "an element twice": (BOX + elements(HEXES[:1]), FaultCode.FILE_FORMAT, ("more than once", "1")),
     "no number": (BOX.replace("2, 5, 0, 0", "2, five, 0, 0"), FaultCode.FILE_FORMAT, ("line 3", "five")),
@@ -200,7 +200,7 @@ def test_sets_and_surfaces(tmp_path):
     assert {name: len(rows) for name, rows in found.groups.items()} == {"Bottom": 4, "Mixed": 2}
     assert (found.points[found.quads[found.groups["Bottom"]]][..., 2] == 0).all()
     assert {name: len(rows) for name, rows in found.node_groups.items()} == {"corner": 1, "row": 3, "both": 3,
-                                                                             "of_low": 18, "points": 3}
+        "of_low": 18, "points": 3}
 
 
 def test_sets_of_instances(tmp_path):

@@ -33,7 +33,7 @@ def static_deck(mesh, material=None, fixed=("Face1",), force=None, pressure=None
     mesh        see elements_of; order 1 (C3D8), 2 (C3D20), None: the mesh's own
     element     C3D8, C3D8R, C3D20 or C3D20R; None: C3D8 or C3D20
     material    see material.material_of
-    fixed       names of CAD faces held in x, y, z
+    fixed       names of CAD faces, or of groups of the mesh, held in x, y, z; so are the names of loads
     force       {"Face2": (fx, fy, fz)} total force in N, as consistent nodal loads
     pressure    {"Face3": p} in MPa, positive onto the face (*DLOAD)
     prescribed  (nodes (k,) 0-based, displacements (k,3) mm) at the given order, optional
@@ -56,7 +56,7 @@ def static_deck(mesh, material=None, fixed=("Face1",), force=None, pressure=None
               "*SOLID SECTION, ELSET=EALL, MATERIAL=SOLID\n")
     if fixed:
         nodes = np.unique(np.concatenate(
-            [elements.nodes_of_face(face_number(f)) for f in fixed]))
+            [elements.nodes_of(f) for f in fixed]))
         out.write("*NSET, NSET=FIXED\n")
         write_list(out, nodes + 1)
         out.write("*BOUNDARY\nFIXED, 1, 3, 0.0\n")
@@ -86,7 +86,7 @@ def write_forces(out, elements, force, node_ids=None):
     node_ids (P,): the deck's number of each node; rows + 1 if None."""
     for name, vector in (force or {}).items():
         vector = force_vector(name, vector)
-        nodes, loads = face_force(elements, face_number(name), vector)
+        nodes, loads = face_force(elements, name, vector)
         numbers = nodes + 1.0 if node_ids is None else node_ids[nodes].astype(float)
         out.write(f"** force on {name}\n*CLOAD\n")
         for dof in np.flatnonzero(vector):
@@ -100,7 +100,10 @@ def write_pressures(out, elements, pressure, hex_ids=None, sides=None):
     sides = np.arange(1, 7) if sides is None else sides
     for name, value in (pressure or {}).items():
         value = pressure_value(name, value)
-        rows = elements.quads_of_face(face_number(name))
+        rows = elements.quads_of(name)
+        if not len(rows):
+            raise ToolError(f"pressure on {name}: it has no quads, and nodes alone take no pressure",
+                            FaultCode.BAD_OPTION)
         hexes = elements.hex_of_quad[rows]
         numbers = hexes + 1 if hex_ids is None else hex_ids[hexes]
         out.write(f"** pressure on {name}\n*DLOAD\n")

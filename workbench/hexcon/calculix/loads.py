@@ -72,13 +72,17 @@ def pressure_value(name, pressure):
     return value
 
 
-def face_force(elements, face_number, force):
-    """Nodes and loads of a total force (N), spread evenly over the mesh's face.
+def face_force(elements, name, force):
+    """Nodes and loads of a total force (N), spread evenly over the quads that a name means (Elements.quads_of); over
+    the nodes of a set that has no whole quad.
 
     force (3,). Returns (nodes (k,) 0-based sorted, loads (k,3)); the loads sum to the force
     whatever the difference between the quads' area and the CAD face's.
     """
-    quads = elements.quads[elements.quads_of_face(face_number)]
+    quads = elements.quads[elements.quads_of(name)]
+    if not len(quads):
+        nodes = elements.nodes_of(name)
+        return nodes, np.outer(np.full(len(nodes), 1.0 / max(len(nodes), 1)), np.asarray(force, float))
     areas = node_areas(elements.points, quads)
     nodes, place = np.unique(quads, return_inverse=True)
     shares = np.bincount(place.reshape(-1), weights=areas.ravel(), minlength=len(nodes))

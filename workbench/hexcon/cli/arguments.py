@@ -9,6 +9,7 @@ from .. import pillows
 from ..examples import example_names
 from ..femmesh.element_types import ELEMENT_TYPES, element_type
 from ..files import READERS, SOLVER_ENDINGS, WRITERS, shown
+from ..files.lengths import UNITS
 from ..files.surfaces import SURFACE_ENDINGS
 from ..quads import METHOD_TABLE as SURFACE_METHOD_TABLE
 from ..quads.files import MESH_ENDINGS
@@ -38,23 +39,23 @@ _EXIT = ("exit status: 0 done; 1 a fault, its words on standard error; 2 wrong u
 def _face_vector(text):
     """Face2=0,0,-100 -> ("Face2", (0, 0, -100))"""
     try:
-        face, values = text.split("=")
+        face, _, values = text.rpartition("=")
         vector = tuple(float(v) for v in values.split(","))
         if not face or len(vector) != 3 or not all(map(math.isfinite, vector)):
             raise ValueError
     except ValueError:
-        raise argparse.ArgumentTypeError(f"{text!r}: write FaceN=fx,fy,fz") from None
+        raise argparse.ArgumentTypeError(f"{text!r}: write NAME=fx,fy,fz") from None
     return face, vector
 
 
 def _face_value(text):
     """Face2=1.5 -> ("Face2", 1.5)"""
     try:
-        face, value = text.split("=")
+        face, _, value = text.rpartition("=")
         if not face or not math.isfinite(float(value)):
             raise ValueError
     except ValueError:
-        raise argparse.ArgumentTypeError(f"{text!r}: write FaceN=MPa") from None
+        raise argparse.ArgumentTypeError(f"{text!r}: write NAME=MPa") from None
     return face, float(value)
 
 
@@ -63,6 +64,27 @@ def _add_solid_choice(command):
                          help="of a document with several solids: the object (name or label) that holds the one meant")
     command.add_argument("--solid", dest="solid_number", type=int, metavar="N",
                          help="of several solids: which, as the refusal numbers them (1, 2, ...)")
+
+
+def _length(text):
+    """A number above zero."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not 0.0 < value < math.inf:
+        raise argparse.ArgumentTypeError(f"{text!r} is no number above zero")
+    return value
+
+
+def _add_lengths(command, merging=True):
+    command.add_argument("--unit", choices=list(UNITS), help="what lengths of IN are in (default: what it says, else "
+                                                             "mm)")
+    command.add_argument("--scale", type=_length, default=1.0, metavar="F", help="what lengths of IN are multiplied by")
+    if merging:
+        command.add_argument("--merge-tolerance", type=_length, metavar="T",
+                             help="points nearer than T mm become one (default: where a surface is open, 1e-7 of its "
+                                  "diagonal)")
 
 
 def _add_meshing(command):
@@ -139,6 +161,7 @@ def _add_mesh(commands_parser):
     command.add_argument("-o", "--output", metavar="OUT", action="append", required=True,
                          help="may be given several times")
     _add_meshing(command)
+    _add_lengths(command)
     command.set_defaults(run=commands.mesh)
 
 
@@ -150,6 +173,7 @@ def _add_check(commands_parser):
     command.add_argument("--surface", metavar="QUADS",
                          help="the quad surface that the boundary must equal (default: the mesh's "
                               "own outer faces)")
+    _add_lengths(command)
     command.set_defaults(run=commands.check)
 
 
@@ -162,6 +186,7 @@ def _add_repair(commands_parser):
     command.add_argument("-o", "--output", metavar="OUT", action="append", required=True,
                          help="may be given several times")
     command.add_argument("--pillow", type=pillows.pillow_of, default="auto", metavar="auto|never|K", help=pillows.HELP)
+    _add_lengths(command)
     command.set_defaults(run=commands.repair)
 
 
@@ -183,12 +208,14 @@ def _add_smooth(commands_parser):
                          help="keep boundary points that lie on nothing where they are; without it the mesh is refused")
     command.add_argument("--timeout", type=float, default=120.0, metavar="S",
                          help="seconds for finding the boundary on the solid and relaxing (default 120)")
+    _add_lengths(command, merging=False)
     command.set_defaults(run=commands.smooth)
 
 
 def _add_info(commands_parser):
     command = commands_parser.add_parser("info", help="facts of a quad surface", epilog=_EXIT)
     command.add_argument("input", metavar="SURFACE", help="a file, or example:NAME")
+    _add_lengths(command)
     command.set_defaults(run=commands.info)
 
 
@@ -217,14 +244,16 @@ def _add_solve(commands_parser):
                          help="results: .vtu or .vtk, and .png for a picture", action="append",
                          default=[])
     _add_meshing(command)
-    command.add_argument("--fixed", metavar="FaceN", action="append", required=True)
-    command.add_argument("--force", metavar="FaceN=fx,fy,fz", action="append", default=[],
+    command.add_argument("--fixed", metavar="NAME", action="append", required=True,
+                         help="a CAD face (Face3), or a group of the mesh by its name: held")
+    command.add_argument("--force", metavar="NAME=fx,fy,fz", action="append", default=[],
                          type=_face_vector, help="total force on the face, N")
-    command.add_argument("--pressure", metavar="FaceN=p", action="append", default=[],
+    command.add_argument("--pressure", metavar="NAME=p", action="append", default=[],
                          type=_face_value, help="MPa, positive onto the face")
     command.add_argument("--young", type=float, default=210000.0, help="MPa (default 210000)")
     command.add_argument("--poisson", type=float, default=0.3, help="(default 0.3)")
     command.add_argument("--ccx-timeout", type=float, default=3600.0, metavar="S")
+    _add_lengths(command, merging=True)
     command.set_defaults(run=commands.solve)
 
 

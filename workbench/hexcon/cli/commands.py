@@ -7,15 +7,16 @@ import numpy as np
 import hexcon_native
 
 from ..calculix import solve_inp, static_deck
-from ..calculix.deck import face_number
 from ..calculix.judging import check_loads
 from ..errors import FaultCode, ToolError
 from ..examples import example
 from ..files import WRITERS, check_method_for, ending_of, read_mesh, shown, write
+from ..files.lengths import UNITS
 from ..files.solid_choice import SolidChoice
 from ..judging.curved import curved_hexes, of_curving
 from ..judging.fillable import fillable
 from ..judging.lengths import lengths_of
+from ..judging.repair import repair_mesh, reversed_hexes
 from ..judging.report import check_mesh
 from ..meshing import mesh_quad_surface, mesh_solid
 from ..quads import surface_from_file
@@ -24,6 +25,7 @@ from ..smoothing import smooth as smooth_mesh
 from ..topological import BY_OPTION, MEANING, is_topological, refuse_topological_method
 
 SOLID_ENDINGS = (*CAD_ENDINGS, ".fcstd")
+UNITLESS_ENDINGS = (".brep", ".brp")     # of solids
 EXAMPLE = "example:"  # what an input starts with that is no file but an example's name
 
 
@@ -66,11 +68,16 @@ def pairing_option(pairing):
     return {} if pairing == "all" else {"pairing": pairing}
 
 
-def _surface_input(argument):
+def _surface_input(argument, options):
     """The quad surface that an argument names: a file's, or example:NAME."""
     if argument.startswith(EXAMPLE):
         return example(argument[len(EXAMPLE):])
-    return surface_from_file(argument)
+    return surface_from_file(argument, merge_tolerance=options.merge_tolerance, scale=options.scale, unit=options.unit)
+
+
+def _read(options):
+    """The hex mesh of a file."""
+    return read_mesh(options.input, scale=options.scale, unit=options.unit)
 
 
 def filling(options):
@@ -83,7 +90,11 @@ def filling(options):
 
 def _chosen(path, options):
     """The solid of a file that the options choose."""
-    return SolidChoice(path, options.object_name, options.solid_number)
+    if options.unit is not None and ending_of(path) not in UNITLESS_ENDINGS:
+        raise ToolError(f"{path} says what unit its lengths are in: leave --unit, or take --scale",
+                        FaultCode.BAD_OPTION)
+    scale = options.scale * (1.0 if options.unit is None else UNITS[options.unit])
+    return SolidChoice(path, options.object_name, options.solid_number, scale)
 
 
 def _mesh_input(options):
@@ -96,7 +107,7 @@ def _mesh_input(options):
         return mesh_solid(_chosen(options.input, options), options.size, surface_method=options.surface_method,
                           local_sizes=options.local_sizes, per_turn=options.per_turn,
                           volume_error=options.volume_error / 100.0, **kept)
-    return mesh_quad_surface(_surface_input(options.input), **kept)
+    return mesh_quad_surface(_surface_input(options.input, options), **kept)
 
 
 def _facts(mesh):
@@ -178,27 +189,27 @@ def write_mesh(made, options):
 
 def check(options):
     """hexcon check MESH [--surface QUADS]"""
-    found = read_mesh(options.input)
-    surface = _match_surface(found.points, _surface_input(options.surface)) if options.surface else None
+    found = _read(options)
+    surface = _match_surface(found.points, _surface_input(options.surface, options)) if options.surface else None
     return _judged(found, surface)
 
 
 def repair(options):
     """hexcon repair MESH -o OUT: its middle nodes, if it has any, come to lie in the middles of the edges."""
     check_outputs(options, WRITERS)
-    found = read_mesh(options.input)
-    before, order = len(found.hexes), found.order
-    if order == 2:
-        used, found.hexes = np.unique(found.hexes[:, :8], return_inverse=True)
-        found.points, found.hexes, found.order = found.points[used], found.hexes.reshape(-1, 8), 1
-        found.quads = np.searchsorted(used, found.quads)
-    repaired = hexcon_native.repair(found.points, found.hexes, pillow=options.pillow)
-    found.points, found.hexes = repaired.points, repaired.hexes
+    found = _read(options)
+    before, count, order = check_mesh(found), len(found.hexes), found.order
+    done = repair_mesh(found, pillow=options.pillow, merge_tolerance=options.merge_tolerance)
     for path in options.output:
-        write(found, path, order=order)
-    facts, lines = _judged(found, None)
-    return (dict(facts, pillows=repaired.pillows, written=options.output),
-            [f"repaired      {len(found.hexes)} hexes for {before}, {repaired.pillows} pillows", *lines,
+        write(done.mesh, path, order=order)
+    facts, lines = _judged(done.mesh, None)
+    bad = len(before.certificate.nonpositive)
+    was = "certified" if before.certified else f"not certified, {bad} hexes not proved positive"
+    return (dict(facts, pillows=done.pillows, turned=len(done.turned), written=options.output,
+                 before={"certified": before.certified, "nonpositive": len(before.certificate.nonpositive),
+                         "quality": before.quality.as_dict()}),
+            [f"before        {count} hexes, {was}; {_quality_line(before.quality).split(None, 1)[1]}",
+             f"repaired      {len(done.mesh.hexes)} hexes for {count}, {done.pillows} pillows", *lines,
              *(f"written       {path}" for path in options.output)])
 
 
@@ -210,6 +221,10 @@ def _judged(found, surface):
              f"{found.order}, {len(found.quads)} boundary quads", _quality_line(quality),
              _lengths_line(report.lengths), _certificate_line(certificate, len(curved) > 0)]
     lines += _deck_lines(found)
+    turned = reversed_hexes(found.points, found.hexes) if len(certificate.nonpositive) else ()
+    if len(turned):
+        which = f"all {len(turned)} hexes are" if len(turned) == len(found.hexes) else f"hexes {_ids(turned)} are"
+        lines.append(f"reversed      {which} inverted: their node order is reversed; `hexcon repair` turns them")
     for name, ids in (("not positive", certificate.nonpositive),
                       ("improper", certificate.improper), ("curved", curved)):
         if len(ids):
@@ -218,9 +233,23 @@ def _judged(found, surface):
         lines.append(f"overlapping   {_pairs(certificate.crossings)}")
     return ({"points": len(found.points), "hexes": len(found.hexes), "order": found.order,
              "quads": len(found.quads), "quality": quality.as_dict(), "lengths": report.lengths.as_dict(),
-             "certificate": certificate.as_dict(), "curved": curved[:1000], "notes": getattr(found, "notes", []),
+             "groups": _group_sizes(found), "certificate": certificate.as_dict(), "curved": curved[:1000],
+             "reversed": len(turned), "notes": getattr(found, "notes", []),
              "elements_in_file": getattr(found, "counts", {}),
              "certified": report.certified}, lines)
+
+
+def _group_sizes(found):
+    """{name: {"quads": n} or {"nodes": n}} of what a surface or a mesh names, CAD faces first."""
+    faces, counts = np.unique(found.face_of_quad[found.face_of_quad > 0], return_counts=True)
+    return {**{f"Face{face}": {"quads": int(count)} for face, count in zip(faces.tolist(), counts.tolist())},
+            **{name: {"nodes": len(rows)} for name, rows in getattr(found, "node_groups", {}).items()},
+            **{name: {"quads": len(rows)} for name, rows in getattr(found, "groups", {}).items()}}
+
+
+def _group_lines(found):
+    told = [f"{name} ({count} {what})" for name, held in _group_sizes(found).items() for what, count in held.items()]
+    return [f"groups        {', '.join(told[:50])}{' ...' if len(told) > 50 else ''}"] * bool(told)
 
 
 def _deck_lines(found):
@@ -229,7 +258,7 @@ def _deck_lines(found):
     told = ", ".join(f"{count} {kind}" for kind, count in counts.items())
     lines = [f"in the file   {told}: {len(found.hexes)} of {sum(counts.values())} elements are hexes, and "
              f"judged"] * bool(counts)
-    return [*lines, *(f"note          {note}" for note in getattr(found, "notes", ()))]
+    return [*lines, *_group_lines(found), *(f"note          {note}" for note in getattr(found, "notes", ()))]
 
 
 def _pairs(pairs):
@@ -265,7 +294,7 @@ def _match_surface(points, surface):
 def smooth(options):
     """hexcon smooth MESH SOLID [-o OUT]"""
     check_outputs(options, WRITERS)
-    given = read_mesh(options.input)
+    given = _read(options)
     found = smooth_mesh(given, _chosen(options.solid, options), tolerance=options.tolerance, keep=options.keep,
                         timeout=options.timeout)
     for path in options.output:
@@ -294,13 +323,13 @@ def _ids(ids):
 
 def info(options):
     """hexcon info SURFACE"""
-    surface = _surface_input(options.input)
+    surface = _surface_input(options.input, options)
     report = hexcon_native.check_surface(surface.points, surface.quads)
     crossing = int(np.count_nonzero(report.loops.self_crossings))
     center = ("none" if report.star_center is None
               else "(" + ", ".join(f"{c:.6g}" for c in report.star_center) + ")")
     facts = report.as_dict()
-    facts["notes"] = surface.notes
+    facts["notes"], facts["groups"] = surface.notes, _group_sizes(surface)
     return facts, [
         f"surface       {report.n} quads ({'even' if report.even else 'ODD'}), {report.points} "
         f"points, {report.components} component(s), genus {report.genus}, {report.cavities} cavities",
@@ -311,14 +340,14 @@ def info(options):
         f"quads         {fillable(report.n, report.fillable, report.embedded)}",
         f"orientation   {'outward' if report.oriented else 'inward, or some shells are (meshing turns them)'}",
         f"shape         {'convex' if report.convex else 'not convex'}, star centre {center}, "
-        f"volume {report.volume:.6g}",
+        f"volume {report.volume:.6g}", *_group_lines(surface),
         *(f"note          {note}" for note in surface.notes)]
 
 
 def _by_face(loads):
     """{"Face2": load}; two loads of one kind on a face would not be what was meant."""
-    by_face = {f"Face{face_number(face)}": load for face, load in loads}
-    if len(by_face) < len(loads):
+    by_face = dict(loads)
+    if len({name.upper() for name in by_face}) < len(loads):
         raise ToolError("a face is given two loads of one kind; add them up", FaultCode.BAD_OPTION)
     return by_face
 
@@ -332,7 +361,7 @@ def _mesh_to_solve(options, is_solid):
     if is_solid:
         refuse_topological_method(options.method, options.allow_topological, BY_OPTION)
         return _mesh_input(options)
-    read = read_mesh(options.input)
+    read = _read(options)
     if options.allow_topological or options.allow_uncertified:
         return read
     bad = hexcon_native.certify(read.points, read.hexes, read.quads).nonpositive
@@ -349,7 +378,9 @@ def solve(options):
     check_outputs(options, {".vtu", ".vtk", ".png"})
     force, pressure = _by_face(options.force), _by_face(options.pressure)
     check_loads(force, pressure)
-    is_solid = ending_of(options.input) in SOLID_ENDINGS
+    # a document without --size is taken for its hex mesh
+    is_solid = ending_of(options.input) in SOLID_ENDINGS and not (
+        ending_of(options.input) == ".fcstd" and options.size is None)
     made = _mesh_to_solve(options, is_solid)
     deck = static_deck(made, {"young": options.young, "poisson": options.poisson},
                        options.fixed, force, pressure, element=options.element_type,
@@ -369,7 +400,8 @@ def solve(options):
              f"{made.order}",
              f"deflection    {result.max_displacement:.6g} mm at most",
              f"von Mises     {stress.max():.6g} MPa at most"]
-    return facts, [*(_mesh_lines(made) if is_solid else []), *lines,
+    notes = [] if is_solid else [f"note          {note}" for note in made.notes]
+    return facts, [*(_mesh_lines(made) if is_solid else []), *notes, *lines,
                    *(f"written       {path}" for path in options.output)]
 
 

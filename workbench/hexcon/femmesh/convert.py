@@ -46,9 +46,10 @@ def femmesh_of_elements(elements):
     first_face = len(elements.hexes) + 1
     for face, nodes in enumerate((elements.quads + 1).tolist(), first_face):
         add_face(nodes, face)
-    for number in elements.face_numbers():
-        add_group(femmesh, f"Face{number}", "Face",
-                  elements.quads_of_face(number) + first_face)
+    for _, name, rows in elements.named():
+        add_group(femmesh, name, "Face", rows + first_face)
+    for name in elements.node_groups:
+        add_group(femmesh, name, "Node", elements.nodes_of(name) + 1)
     return femmesh
 
 

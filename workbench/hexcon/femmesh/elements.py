@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One checked view of a mesh, at the order asked for: what every writer starts from."""
-from dataclasses import dataclass
+import re
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -21,6 +22,7 @@ class Elements:
     quads (n,4|8) int64 outward counter-clockwise, face_of_quad (n,) int64 1-based CAD
     face, 0 where there is none, hex_of_quad (n,), side_of_quad (n,) rows of hexahedron.FACES,
     topological: the mesh is topology only, and what is written of it should say so
+    quad_groups {name: rows of quads} beside the CAD faces, may overlap; node_groups {name: rows of points}
     """
 
     points: np.ndarray
@@ -30,6 +32,8 @@ class Elements:
     hex_of_quad: np.ndarray
     side_of_quad: np.ndarray
     topological: bool = False
+    quad_groups: dict = field(default_factory=dict)
+    node_groups: dict = field(default_factory=dict)
 
     @property
     def order(self):
@@ -39,32 +43,102 @@ class Elements:
         """The CAD face numbers present, rising, without 0."""
         return [int(f) for f in np.unique(self.face_of_quad) if f > 0]
 
+    def named(self):
+        """[(number, name, rows of quads)]: "Face3" of each CAD face, numbers rising, then the named groups, which may
+        overlap them and each other, numbered on."""
+        faces = [(number, f"Face{number}", np.flatnonzero(self.face_of_quad == number))
+                 for number in self.face_numbers()]
+        first = (faces[-1][0] if faces else 0) + 1
+        return faces + [(first + k, name, rows) for k, (name, rows) in enumerate(self.quad_groups.items()) if len(rows)]
+
     def group_of_quad(self):
-        """(n,) int64: the CAD face; of quads on none, the number after the highest: every quad is in a group."""
-        unnamed = int(self.face_of_quad.max(initial=0)) + 1
-        return np.where(self.face_of_quad > 0, self.face_of_quad, unnamed)
+        """(n,) int64: each quad in one group: its CAD face, else the first named group that has it, else the number
+        after
+        the highest: "Boundary"."""
+        numbers = self.face_of_quad.copy()
+        highest = int(numbers.max(initial=0))
+        for number, _, rows in self.named():
+            highest = max(highest, number)
+            free = rows[numbers[rows] <= 0]
+            numbers[free] = number
+        return np.where(numbers > 0, numbers, highest + 1)
 
     def groups(self):
-        """[(number, name, rows of quads)], group_of_quad's numbers rising: "Face3" of CAD face 3, else "Boundary"."""
+        """[(number, name, rows of quads)] by group_of_quad, numbers rising: every quad is in one."""
+        names = {number: name for number, name, _ in self.named()}
         numbers = self.group_of_quad()
         order = np.argsort(numbers, kind="stable")
         found, starts = np.unique(numbers[order], return_index=True)
-        return [(number, f"Face{number}" if self.face_of_quad[rows[0]] > 0 else "Boundary", rows)
+        return [(number, names.get(number, "Boundary"), rows)
                 for number, rows in zip(found.tolist(), np.split(order, starts[1:]))]
+
+    def all_groups(self):
+        """named(), and "Boundary" with the quads that are in none of these: every quad is in one, or more."""
+        named, inside = self.named(), np.zeros(len(self.quads), bool)
+        for _, _, rows in named:
+            inside[rows] = True
+        rest = np.flatnonzero(~inside)
+        return named + [((named[-1][0] if named else 0) + 1, "Boundary", rest)] * bool(len(rest))
 
     def quads_of_face(self, face_number):
         """Rows of quads on that 1-based CAD face. Raises ToolError(BAD_OPTION) if none."""
         rows = np.flatnonzero(self.face_of_quad == face_number)
         if not len(rows):
-            raise ToolError(
-                f"no boundary quad lies on Face{face_number}; the mesh has "
-                f"{', '.join(f'Face{f}' for f in self.face_numbers()) or 'no CAD faces'}",
-                FaultCode.BAD_OPTION)
+            raise ToolError(f"no boundary quad lies on Face{face_number}; {self._known()}", FaultCode.BAD_OPTION)
         return rows
 
     def nodes_of_face(self, face_number):
         """Sorted 0-based nodes of that CAD face, middle nodes included at order 2."""
         return np.unique(self.quads[self.quads_of_face(face_number)])
+
+    def quads_of(self, name):
+        """Rows of the quads that a name means: a group of quads, a CAD face (Face3, FACE3, 3), or quads all of whose
+        corners a node set has; none where a node set has no whole quad.
+
+        Capitals do not matter where they decide nothing. Raises ToolError(BAD_OPTION) for an unknown name."""
+        found = _named(self.quad_groups, name)
+        if found is not None:
+            return found
+        nodes = _named(self.node_groups, name)
+        if nodes is not None:
+            return np.flatnonzero(np.isin(self.quads[:, :4], nodes).all(axis=1))
+        number = _CAD_FACE.fullmatch(str(name).strip())
+        if number is None or not self.face_numbers() and int(number.group(1)) < 1:
+            raise ToolError(f"{name!r} names no group of the mesh; {self._known()}", FaultCode.BAD_OPTION)
+        return self.quads_of_face(int(number.group(1)))
+
+    def nodes_of(self, name):
+        """Sorted nodes that a name means, middle nodes included at order 2; see quads_of."""
+        nodes = None if _named(self.quad_groups, name) is not None else _named(self.node_groups, name)
+        return np.unique(self.quads[self.quads_of(name)]) if nodes is None else self._with_middles(nodes)
+
+    def _with_middles(self, nodes):
+        """A node set with the middle nodes between its corners: of whole quads, or of edges where it has none."""
+        if self.order == 1 or not len(nodes):
+            return np.asarray(nodes, np.int64)
+        inside = np.zeros(len(self.points), bool)
+        inside[nodes] = True
+        corners = inside[self.quads[:, :4]]
+        taken = corners.all(axis=1)
+        if taken.any():
+            return np.union1d(nodes, self.quads[taken])
+        edges = corners & np.roll(corners, -1, axis=1)
+        return np.union1d(nodes, self.quads[:, 4:][edges])
+
+    def _known(self):
+        names = [name for _, name, _ in self.named()] + list(self.node_groups)
+        return f"the mesh has {', '.join(names)}" if names else "the mesh has no CAD faces and no named groups"
+
+
+_CAD_FACE = re.compile(r"(?:face)?0*(\d{1,9})", re.IGNORECASE)
+
+
+def _named(groups, name):
+    """The entry of that name: as written, or the only one with other capitals; None without one."""
+    if name in groups:
+        return groups[name]
+    alike = [key for key in groups if key.upper() == str(name).strip().upper()]
+    return groups[alike[0]] if len(alike) == 1 else None
 
 
 def _bad(message, ids=()):
@@ -103,6 +177,24 @@ def _face_numbers(mesh, n):
     return given.astype(np.int64)
 
 
+def _groups_of(mesh, n_quads, n_points):
+    """({name: rows of quads}, {name: rows of points}) of a mesh-like object that has .groups, .node_groups."""
+    found = []
+    for attribute, count in (("groups", n_quads), ("node_groups", n_points)):
+        groups = {}
+        for name, rows in (getattr(mesh, attribute, None) or {}).items():
+            groups[str(name)] = rows = np.unique(np.asarray(rows, np.int64))
+            if len(rows) and (rows[0] < 0 or rows[-1] >= count):
+                raise _bad(f"group {name!r} has members outside 0..{count - 1}")
+        found.append(groups)
+    return found
+
+
+def _without_middles(groups, kept):
+    """Node groups of a mesh whose points kept (P',) stay."""
+    return {name: np.flatnonzero(np.isin(kept, rows)) for name, rows in groups.items()}
+
+
 def elements_of(mesh, order=None):
     """Elements of a mesh-like object (.points, .hexes; .quads, .face_of_quad if known).
 
@@ -123,11 +215,13 @@ def elements_of(mesh, order=None):
             raise _bad(f"quads name points outside 0..{len(points) - 1}")
         hex_ids, sides = owners(hexes, given, len(points))
     faces = _face_numbers(mesh, len(hex_ids))
+    quad_groups, node_groups = _groups_of(mesh, len(hex_ids), len(points))
     if order == 2 and hexes.shape[1] == 8:
         points, hexes = hexcon_native.raise_order(points, hexes)
         hexes = hexes.astype(np.int64)
     elif order == 1 and hexes.shape[1] == 20:
-        points, hexes, _ = lower_order(points, hexes)
+        points, hexes, kept = lower_order(points, hexes)
+        node_groups = _without_middles(node_groups, kept)
     corners = FACES_8 if hexes.shape[1] == 20 else FACES_8[:, :4]
     quads = hexes[hex_ids[:, None], corners[sides]]
-    return Elements(points, hexes, quads, faces, hex_ids, sides, is_topological(mesh))
+    return Elements(points, hexes, quads, faces, hex_ids, sides, is_topological(mesh), quad_groups, node_groups)

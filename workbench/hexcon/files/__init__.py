@@ -97,21 +97,22 @@ def replace_file(path, write_to, is_own=None):
         disk.put_in_place(os.path.join(beside, base), os.path.abspath(path), is_own)
 
 
-def read_hexes(path, *, progress=None):
+def read_hexes(path, *, progress=None, **lengths):
     """(points (P,3) float64, hexes (H,8|20) int64, 0-based, VTK order) of a mesh file.
 
     Endings: READERS. Shells, beams and points are passed over;
     other solids (tetrahedra ...) are an error, for a check must not skip them.
     progress  callable(stage, fraction), called before and while a library reads: what it raises cancels and comes out here
-    Raises ToolError: FILE_FORMAT, FILE_IO, TOOL_MISSING (meshio), FREECAD_MISSING (.med).
+    lengths   scale, unit: see readers.read_contents
+    Raises ToolError: FILE_FORMAT, FILE_IO, TOOL_MISSING, BAD_OPTION, FREECAD_MISSING (.med, .FCStd).
     """
     path = regular_file(path)
-    found = read_contents(path, progress)
+    found = read_contents(path, progress, **lengths)
     with naming_faults(path):
         return found.points, hexes_of(path, found)
 
 
-def read_mesh(path, *, progress=None):
+def read_mesh(path, *, progress=None, **lengths):
     """As read_hexes, as a mesh: .points, .hexes, .order, .quads, .face_of_quad, .groups, .node_groups, .notes, .counts.
 
     quads (n,4) is the whole boundary, outward; face_of_quad (n,) the CAD face numbers that
@@ -120,7 +121,7 @@ def read_mesh(path, *, progress=None):
     given loads by face, and by name. counts {name of a kind of elements in the file: how many}, where the reader knows.
     """
     path = regular_file(path)
-    found = read_contents(path, progress)
+    found = read_contents(path, progress, **lengths)
     with naming_faults(path):
         mesh = mesh_of(found.points, hexes_of(path, found), found)
     mesh.counts = found.counts

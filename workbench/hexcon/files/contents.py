@@ -26,6 +26,7 @@ class Contents:
     groups  [Group, ...]
     notes   what the user should know: units converted, what was passed over
     counts  {name of a kind of elements in the file: how many}, where the reader knows all that there are
+    converted  the file told its unit of length, and the points are in mm
     """
 
     points: np.ndarray
@@ -33,6 +34,7 @@ class Contents:
     groups: list = field(default_factory=list)
     notes: list = field(default_factory=list)
     counts: dict = field(default_factory=dict)
+    converted: bool = False
 
     def corners_of(self, group):
         """(k,4) corners of a group's quads; none for groups of nodes and of what is no quad."""

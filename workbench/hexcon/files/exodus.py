@@ -17,7 +17,9 @@ MOST_BYTES = 2 ** 32 - 4    # of a variable, in netCDF's format with offsets of 
 
 
 def write(path, elements):
-    """Block "solid" (1), side sets "Face3" (3) of the CAD faces, "Boundary" of what lies on none.
+    """Block "solid" (1), side sets "Face3" (3) of the CAD faces and of named groups, "Boundary" of what lies on none,
+    node
+    sets of groups of nodes.
 
     Raises ToolError: TOOL_MISSING (SciPy), BAD_MESH (more than 4 GiB of one array)."""
     netcdf_file = _netcdf_file(path)
@@ -30,6 +32,7 @@ def write(path, elements):
     _write_points(data, elements.points)
     _write_block(data, elements)
     _write_side_sets(data, elements)
+    _write_node_sets(data, elements)
     data.flush()
     with open(path, "wb") as stream:
         stream.write(made.getbuffer())
@@ -73,7 +76,7 @@ def _write_block(data, elements):
 
 
 def _write_side_sets(data, elements):
-    groups = elements.groups()
+    groups = elements.all_groups()
     data.createDimension("num_side_sets", len(groups))
     _properties(data, "ss", "num_side_sets", [number for number, _, _ in groups], [name for _, name, _ in groups])
     for k, (_, _, rows) in enumerate(groups, 1):
@@ -82,8 +85,19 @@ def _write_side_sets(data, elements):
         _variable(data, f"side_ss{k}", "i", (f"num_side_ss{k}",), EXODUS_SIDE[elements.side_of_quad[rows]])
 
 
+def _write_node_sets(data, elements):
+    if not elements.node_groups:
+        return
+    data.createDimension("num_node_sets", len(elements.node_groups))
+    _properties(data, "ns", "num_node_sets", range(1, len(elements.node_groups) + 1), list(elements.node_groups))
+    for k, name in enumerate(elements.node_groups, 1):
+        nodes = elements.nodes_of(name)
+        data.createDimension(f"num_nod_ns{k}", len(nodes))
+        _variable(data, f"node_ns{k}", "i", (f"num_nod_ns{k}",), nodes + 1)
+
+
 def _properties(data, kind, dimension, numbers, names):
-    """Status, number and name of blocks (eb) or side sets (ss)."""
+    """Status, number and name of blocks (eb), side sets (ss) or node sets (ns)."""
     _variable(data, f"{kind}_status", "i", (dimension,), np.ones(len(numbers)))
     _variable(data, f"{kind}_prop1", "i", (dimension,), numbers).name = b"ID"
     _variable(data, f"{kind}_names", "c", (dimension, "len_string"), _names(names))
@@ -97,4 +111,4 @@ def _variable(data, name, kind, dimensions, values):
 
 def _names(names):
     """(n, NAME) characters, NULs behind each name."""
-    return np.array([name.encode("ascii") for name in names], f"S{NAME}").view("S1").reshape(-1, NAME)
+    return np.array([name.encode("utf-8")[:NAME - 1] for name in names], f"S{NAME}").view("S1").reshape(-1, NAME)

@@ -6,7 +6,12 @@ import os
 from hexcon.errors import FaultCode, ToolError
 
 from .deck import read_deck
+from .lengths import UNITS, doubt
 from .library import contents_by
+from .medit_reading import read_medit
+from .nastran_reading import read_nastran
+from .obj_reading import read_obj
+from .off_reading import read_off
 from .regular import naming_faults, regular_file
 from .unv_reading import read_unv
 
@@ -19,17 +24,30 @@ def _through(reader, program, path, progress=None):
     return contents_by(reader, path, program, progress)
 
 
-_VTK, _MESHIO = _by("mesh", "VTK"), _by("mesh", "meshio")
-
-# ending -> callable(path, progress) -> contents.Contents
-READERS = {".inp": read_deck, ".unv": read_unv, ".msh": _MESHIO, ".vtk": _VTK, ".vtu": _VTK, ".mesh": _MESHIO,
-           ".obj": _MESHIO, ".med": _by("med", "FreeCAD")}
-_IN_THIS_PROCESS = (read_deck, read_unv)
+def _refuse_stl(path):
+    raise ToolError(f"{path}: STL holds triangles only; HexCon needs quads. Mesh the solid itself (STEP, BREP, "
+                    f".FCStd), or "
+                    "write quads from the program that made it (.obj, .ply, .msh)", FaultCode.NOT_ALL_QUAD)
 
 
-def read_contents(path, progress=None):
+_VTK, _GMSH = _by("mesh", "VTK"), _by("mesh", "gmsh")
+
+# ending -> callable(path, progress) -> contents.Contents; file_worker/mesh.py says which library reads what. Readers
+# of our
+# own take the path alone: each says why no library does.
+READERS = {
+    ".inp": read_deck, ".unv": read_unv, ".msh": _GMSH, ".vtk": _VTK, ".vtu": _VTK, ".mesh": read_medit, ".obj": read_obj,
+    ".med": _by("med", "FreeCAD"), ".fcstd": _by("document", "FreeCAD"), ".bdf": read_nastran, ".nas": read_nastran,
+    ".ply": _VTK, ".off": read_off, ".exo": _VTK, ".e": _VTK, ".ex2": _VTK, ".cgns": _VTK,
+    **dict.fromkeys((".vtp", ".vts", ".vtr", ".vti"), _VTK), ".stl": _refuse_stl}
+_OWN = (read_deck, read_unv, read_medit, read_obj, read_nastran, read_off, _refuse_stl)
+
+
+def read_contents(path, progress=None, *, scale=1.0, unit=None):
     """contents.Contents of a mesh file with one of READERS' endings.
 
+    scale, unit: what lengths are multiplied by, and one of lengths.UNITS that they are in; None: mm, or what the file
+    says
     progress: callable(stage, fraction), called before and while it is read: what it raises cancels and comes out here.
     Raises ToolError FILE_FORMAT, FILE_IO, TOOL_MISSING, TOOL_TIMEOUT, FREECAD_MISSING (.med).
     """
@@ -43,9 +61,22 @@ def read_contents(path, progress=None):
         progress("read", 0.0)
     reader = READERS[ending]
     with naming_faults(path):
-        found = reader(path) if reader in _IN_THIS_PROCESS else reader(path, progress)
+        found = reader(path) if reader in _OWN else reader(path, progress)
         _check(found, path)
+        _scale(found, path, scale, unit)
     return found
+
+
+def _scale(found, path, scale, unit):
+    if unit is not None and found.converted:
+        raise ToolError(f"{path} says what unit its lengths are in, and they are converted to mm: leave --unit, or "
+                        f"take "
+                        "--scale", FaultCode.BAD_OPTION)
+    factor = scale * (1.0 if unit is None else UNITS[unit])
+    if factor != 1.0:
+        found.points = found.points * factor
+        found.notes.append(f"lengths multiplied by {factor:g}")
+    found.notes += doubt(found.points)
 
 
 def _check(found, path):

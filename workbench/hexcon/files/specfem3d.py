@@ -27,7 +27,7 @@ NODES = {1: np.arange(8), 2: np.r_[0:12, 16:20, 12:16, 20:27]}
 
 def is_own(name):
     """Whether write makes files of that name."""
-    return name in (*_OTHERS, FREE, *ABSORBING.values()) or bool(re.fullmatch(r"(Face\d+|Boundary)_surface_file", name))
+    return name in (*_OTHERS, FREE, *ABSORBING.values()) or bool(name.endswith("_surface_file"))
 
 
 def write(folder, elements):
@@ -75,8 +75,8 @@ def _files_of_faces(points, elements):
         left &= ~inside
         yield name, np.flatnonzero(inside)
     yield FREE, np.flatnonzero(left)
-    for _, name, rows in elements.groups():
-        yield f"{name}_surface_file", rows
+    for _, name, rows in elements.all_groups():
+        yield f"{re.sub(r'[^A-Za-z0-9_.-]', '_', name)}_surface_file", rows
 
 
 def _write_material(path):

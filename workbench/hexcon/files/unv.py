@@ -27,10 +27,11 @@ def _group(stream, number, name, kind, ids):
 
 
 def write(path, elements):
-    """Hexahedra 1..H, boundary quads H+1..H+n; groups "Face3" of quads, one per CAD face."""
+    """Hexahedra 1..H, boundary quads H+1..H+n; groups of quads "Face3", one per CAD face, and by their
+    names, groups of nodes by theirs."""
     order = elements.order
     first_quad = len(elements.hexes) + 1
-    with open(path, "w", encoding="ascii") as stream:
+    with open(path, "w", encoding="utf-8") as stream:
         stream.write("    -1\n  2411\n")
         write_numbered(stream, "%10d         1         1        11\n%25.16E%25.16E%25.16E\n",
                        elements.points)
@@ -41,9 +42,10 @@ def write(path, elements):
         write_numbered(stream, _element_row(_QUAD_KIND[order], quads.shape[1]), quads,
                        first=first_quad)
         stream.write("    -1\n")
-        if elements.face_numbers():
+        groups = [(name, 8, rows + first_quad) for _, name, rows in elements.named()]
+        groups += [(name, 7, elements.nodes_of(name) + 1) for name in elements.node_groups]
+        if groups:
             stream.write("    -1\n  2467\n")
-            for k, number in enumerate(elements.face_numbers(), 1):
-                _group(stream, k, f"Face{number}", 8,
-                       elements.quads_of_face(number) + first_quad)
+            for k, (name, kind, ids) in enumerate(groups, 1):
+                _group(stream, k, name, kind, ids)
             stream.write("    -1\n")

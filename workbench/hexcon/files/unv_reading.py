@@ -42,10 +42,8 @@ _CARTESIAN, _CYLINDRICAL, _SPHERICAL = 0, 1, 2
 _SMESH = "SMESH_Mesh"   # the part's name that SMESH (Salome, FreeCAD) writes, with units of metres whatever they are
 
 
-def read_unv(path, progress=None):
+def read_unv(path):
     """Contents of a .unv file, lengths in mm where the file tells its units. Raises ToolError FILE_FORMAT."""
-    if progress is not None:
-        progress("read", 0.0)
     file = _File(path)
     with open(path, encoding="latin-1") as stream:
         for number, first, lines in _datasets(stream):
@@ -200,8 +198,8 @@ class _File:
                 raise ToolError(f"{self.path}: an element of kind {kind} names a node that is not defined: {error}",
                                 FaultCode.FILE_FORMAT) from error
             labels[kind] = np.array(own, np.int64)
-        return Contents(self._scaled(self._placed()), cells, list(self._group_rows(ids, labels)), self.notes,
-                        self.counts)
+        places, told = self._scaled(self._placed()), self.factor is not None and self.part != _SMESH
+        return Contents(places, cells, list(self._group_rows(ids, labels)), self.notes, self.counts, told)
 
     def _placed(self):
         """Places in the whole, of nodes in coordinate systems of their own."""

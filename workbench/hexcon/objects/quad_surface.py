@@ -10,6 +10,7 @@ import hexcon_native
 from hexcon import examples, freecad_compat
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.convert import add_group
+from hexcon.files.hex_contents import take_cad_faces
 from hexcon.meshing import raising
 from hexcon.quads import METHODS, QuadSurface, surface_from_file, surface_from_object, surface_from_solid
 from hexcon.quads.local_sizes import WAYS
@@ -146,6 +147,10 @@ def to_quad_femmesh(surface):
         femmesh.addFace(nodes, face)
     for number in np.unique(surface.face_of_quad[surface.face_of_quad > 0]).tolist():
         add_group(femmesh, f"Face{number}", "Face", np.flatnonzero(surface.face_of_quad == number) + 1)
+    for name, rows in surface.groups.items():
+        add_group(femmesh, name, "Face", rows + 1)
+    for name, rows in surface.node_groups.items():
+        add_group(femmesh, name, "Node", rows + 1)
     return femmesh
 
 
@@ -165,11 +170,16 @@ def surface_of(obj):
     quads = np.array([[row[node] for node in femmesh.getElementNodes(face)] for face in faces])
     face_of_quad = np.zeros(len(quads), np.int64)
     rank = {face: k for k, face in enumerate(faces)}
+    named, node_groups = {}, {}
     for group in femmesh.Groups:
-        number = int(femmesh.getGroupName(group)[len("Face"):])
-        face_of_quad[[rank[face] for face in femmesh.getGroupElements(group)]] = number
+        name, members = femmesh.getGroupName(group), femmesh.getGroupElements(group)
+        if femmesh.getGroupElementType(group) == "Node":
+            node_groups[name] = np.array([row[node] for node in members])
+        else:
+            named[name] = np.array([rank[face] for face in members])
+    groups = take_cad_faces(named, face_of_quad)
     return QuadSurface(points, quads, face_of_quad, obj.MethodUsed or "given", list(obj.Notes), obj.SizeUsed.Value,
-                       obj.Tried, unpacked(obj.Proposal))
+                       obj.Tried, unpacked(obj.Proposal), groups=groups, node_groups=node_groups)
 
 
 def packed(proposal):

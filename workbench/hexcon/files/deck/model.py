@@ -21,13 +21,11 @@ _REFUSED = {
     "ADAPTIVE MESH": "a mesh that changes", "MAP SOLUTION": "a mesh of another analysis", "INSTANCE IMPORT": "a mesh"}
 
 
-def read_deck(path, progress=None):
+def read_deck(path):
     """Contents of a deck: points, elements, node sets, element sets and surfaces, in instances at their places.
 
-    progress is called once. Raises ToolError FILE_FORMAT (naming file and line), FILE_IO (a file that it includes).
+    Raises ToolError FILE_FORMAT (naming file and line), FILE_IO (a file that it includes).
     """
-    if progress is not None:
-        progress("read", 0.0)
     model = _Model(path)
     for card in cards_of(path):
         model.take(card)

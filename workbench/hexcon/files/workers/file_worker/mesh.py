@@ -10,7 +10,9 @@ import numpy as np
 from .refusal import Refusal
 
 # Who reads what, the first that can.
-ROADS = {".vtk": ("with_vtk", "with_meshio"), ".vtu": ("with_vtk", "with_meshio")}
+ROADS = {**dict.fromkeys((".vtk", ".vtu"), ("with_vtk", "with_meshio")), ".msh": ("with_gmsh", "with_meshio"),
+         **dict.fromkeys((".vtp", ".vts", ".vtr", ".vti", ".ply"), ("with_vtk",)),
+         **dict.fromkeys((".exo", ".e", ".ex2", ".cgns"), ("with_vtk_blocks",))}
 OTHERS = ("with_meshio",)
 
 
@@ -26,7 +28,7 @@ def read_mesh(job):
             missing.append(error.name)
         except SystemExit:
             words.append(" ".join(said.getvalue().split()) or "meshio gave up")
-        except (OSError, MemoryError):
+        except (OSError, MemoryError, Refusal):
             raise
         except Exception as error:
             words.append(f"{type(error).__name__}: {error}")

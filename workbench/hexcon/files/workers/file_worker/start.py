@@ -9,7 +9,8 @@ import json
 import os
 import sys
 
-READERS = {"mesh": "mesh", "med": "with_freecad", "solid": "with_freecad"}     # the module with read_<reader>(job)
+READERS = {"mesh": "mesh", "med": "with_freecad", "solid": "with_freecad",
+           "document": "with_freecad"}     # the module with read_<reader>(job)
 
 
 def _main(job_path):

@@ -32,6 +32,28 @@ def read_med(job):
     return mesh_arrays(found.points, list(found.cells.items()), [(g.name, g.kind, g.rows) for g in found.groups])
 
 
+def read_document(job):
+    """The arrays of the one FEM mesh in a document."""
+    with _named():
+        from hexcon.files.archive import check_document
+        from hexcon.files.femmesh_contents import contents_of_femmesh
+        from hexcon.freecad_compat import fem_module, freecad
+        check_document(job["file"])
+        fem_module("Fem")       # the types of FEM meshes, which the document names
+        try:
+            document = freecad().openDocument(job["file"], True)
+        except Exception as error:
+            raise Refusal("FILE_FORMAT", f"FreeCAD cannot open it: {error}") from error
+        meshes = [o for o in document.Objects if o.isDerivedFrom("Fem::FemMeshObject") and o.FemMesh.NodeCount]
+        solids = [o for o in meshes if o.FemMesh.VolumeCount] or meshes
+        if len(solids) != 1:
+            raise Refusal("FILE_FORMAT", f"{len(solids)} FEM meshes are in it"
+                          + (f" ({', '.join(o.Label for o in solids)})" if solids else "") + "; exactly one is needed")
+        found = contents_of_femmesh(solids[0].FemMesh)
+    return mesh_arrays(found.points, list(found.cells.items()), [(g.name, g.kind, g.rows) for g in found.groups],
+                       [f"FEM mesh {solids[0].Label} of the document"])
+
+
 def read_solid(job):
     """Write the shape that job["choice"] means, of a document or CAD file, to job["brep"]; with job["alone"] its one
     solid alone.

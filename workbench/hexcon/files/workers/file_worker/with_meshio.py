@@ -32,6 +32,8 @@ def _sets(mesh, places):
     for name, ids in mesh.point_sets.items():
         yield str(name), "nodes", np.asarray(ids)
     for name, by_block in mesh.cell_sets.items():
+        if str(name).startswith("gmsh:"):   # of meshio's own making
+            continue
         for (kind, first), rows in zip(places, by_block):
             if rows is not None and len(rows):
                 yield str(name), kind, first + np.asarray(rows)

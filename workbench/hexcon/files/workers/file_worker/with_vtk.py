@@ -47,8 +47,9 @@ def arrays_of(data):
     points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
     found = _rows_by_kind(data, len(points))
     blocks, places = joined([(kind, rows) for kind, rows, _ in found])
-    groups = groups_of_fields(_fields(data.GetFieldData()))
-    groups += _groups(data, found, places)
+    groups = _groups(data, found, places)
+    if not any(kind == "faces" for _, kind, _ in groups):   # HexCon before 0.3 wrote no sides
+        groups += groups_of_fields(_fields(data.GetFieldData()))
     return mesh_arrays(points, blocks, groups)
 
 
