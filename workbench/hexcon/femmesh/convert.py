@@ -49,7 +49,7 @@ def femmesh_of_elements(elements):
     for _, name, rows in elements.named():
         add_group(femmesh, name, "Face", rows + first_face)
     for name in elements.node_groups:
-        add_group(femmesh, name, "Node", elements.nodes_of(name) + 1)
+        add_group(femmesh, name, "Node", elements.nodes_of_set(name) + 1)
     return femmesh
 
 

@@ -112,6 +112,10 @@ class Elements:
         nodes = None if _named(self.quad_groups, name) is not None else _named(self.node_groups, name)
         return np.unique(self.quads[self.quads_of(name)]) if nodes is None else self._with_middles(nodes)
 
+    def nodes_of_set(self, name):
+        """Nodes of that entry of node_groups, with the middle nodes between them at order 2."""
+        return self._with_middles(self.node_groups[name])
+
     def _with_middles(self, nodes):
         """A node set with the middle nodes between its corners: of whole quads, or of edges where it has none."""
         if self.order == 1 or not len(nodes):

@@ -29,8 +29,7 @@ def write_mesh(stream, elements, element=None):
 
     element  see femmesh.element_types
     Names: NALL, EALL, FACE3_NODES, FACE3, and those of groups by deck_names. Node and element numbers are rows + 1. A
-    comment says
-    so where the mesh is topological.
+    comment says so where the mesh is topological.
     """
     kind = element_type(element, elements.order)
     if elements.topological:
@@ -48,9 +47,10 @@ def write_mesh(stream, elements, element=None):
     for name, (_, _, rows) in zip(names, elements.named()):
         stream.write(f"*NSET, NSET={name}_NODES\n")
         write_list(stream, np.unique(elements.quads[rows]) + 1)
-    for name, nodes in zip(deck_names(elements.node_groups, names), elements.node_groups):
+    taken = ["NALL", *(f"{name}_NODES" for name in names)]
+    for name, nodes in zip(deck_names(elements.node_groups, taken), elements.node_groups):
         stream.write(f"*NSET, NSET={name}\n")
-        write_list(stream, elements.nodes_of(nodes) + 1)
+        write_list(stream, elements.nodes_of_set(nodes) + 1)
     for name, (_, _, rows) in zip(names, elements.named()):
         stream.write(f"*SURFACE, NAME={name}, TYPE=ELEMENT\n")
         write_rows(stream, "%d, S%d\n", np.column_stack(
@@ -58,8 +58,8 @@ def write_mesh(stream, elements, element=None):
 
 
 def deck_names(names, taken=()):
-    """The names in a form that ccx and Abaqus take: a letter first, then letters, digits, _ and -, at most 70 characters,
-    different whatever their capitals. "Face3" becomes FACE3, as ever."""
+    """The names in a form that ccx and Abaqus take: a letter first, then letters, digits, _ and -, at most 70
+    characters, different whatever their capitals. "Face3" becomes FACE3, as ever."""
     taken, made = {name.upper() for name in taken}, []
     for name in names:
         plain = name.upper() if re.fullmatch(r"Face\d+", name) else re.sub(r"[^A-Za-z0-9_-]", "_", name)
@@ -94,6 +94,6 @@ def _advice(names):
     """How to go on, with sets that are there; nothing of sets where there are none."""
     if not names:
         return "** No faces are named in this mesh: sets for supports and loads are to be added.\n"
-    return (f"** To solve, add for example:\n** *BOUNDARY\n** {names[0]}_NODES, 1, 3, 0\n** *STEP\n** *STATIC\n** "
-            f"*DSLOAD\n"
-            f"** {names[min(1, len(names) - 1)]}, P, 1.0\n** *NODE FILE\n** U\n** *EL FILE\n** S\n** *END STEP\n")
+    return (f"** To solve, add for example:\n** *BOUNDARY\n** {names[0]}_NODES, 1, 3, 0\n** *STEP\n** *STATIC\n"
+            f"** *DSLOAD\n** {names[min(1, len(names) - 1)]}, P, 1.0\n"
+            "** *NODE FILE\n** U\n** *EL FILE\n** S\n** *END STEP\n")

@@ -91,7 +91,7 @@ def _write_node_sets(data, elements):
     data.createDimension("num_node_sets", len(elements.node_groups))
     _properties(data, "ns", "num_node_sets", range(1, len(elements.node_groups) + 1), list(elements.node_groups))
     for k, name in enumerate(elements.node_groups, 1):
-        nodes = elements.nodes_of(name)
+        nodes = elements.nodes_of_set(name)
         data.createDimension(f"num_nod_ns{k}", len(nodes))
         _variable(data, f"node_ns{k}", "i", (f"num_nod_ns{k}",), nodes + 1)
 

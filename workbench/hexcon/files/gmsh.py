@@ -22,7 +22,7 @@ def write(path, elements):
     cells = [(kinds[0], elements.quads[rows[order]], faces[order]),
              (kinds[1], elements.hexes, np.ones(len(elements.hexes)))]
     for number, name in enumerate(elements.node_groups, 1):
-        nodes = elements.nodes_of(name)
+        nodes = elements.nodes_of_set(name)
         cells.append(("vertex", nodes[:, None], np.full(len(nodes), number)))
         names.setdefault(name, np.array([number, 0]))
     tags = [np.asarray(tag, np.int32) for _, _, tag in cells]

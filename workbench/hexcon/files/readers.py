@@ -32,13 +32,12 @@ def _refuse_stl(path):
 
 _VTK, _GMSH = _by("mesh", "VTK"), _by("mesh", "gmsh")
 
-# ending -> callable(path, progress) -> contents.Contents; file_worker/mesh.py says which library reads what. Readers
-# of our
-# own take the path alone: each says why no library does.
+# ending -> callable(path, progress) -> contents.Contents; file_worker/mesh.py says which library reads what. Readers of
+# our own take the path alone: each says why no library does.
 READERS = {
-    ".inp": read_deck, ".unv": read_unv, ".msh": _GMSH, ".vtk": _VTK, ".vtu": _VTK, ".mesh": read_medit, ".obj": read_obj,
-    ".med": _by("med", "FreeCAD"), ".fcstd": _by("document", "FreeCAD"), ".bdf": read_nastran, ".nas": read_nastran,
-    ".ply": _VTK, ".off": read_off, ".exo": _VTK, ".e": _VTK, ".ex2": _VTK, ".cgns": _VTK,
+    ".inp": read_deck, ".unv": read_unv, ".msh": _GMSH, ".vtk": _VTK, ".vtu": _VTK, ".mesh": read_medit,
+    ".obj": read_obj, ".med": _by("med", "FreeCAD"), ".fcstd": _by("document", "FreeCAD"), ".bdf": read_nastran,
+    ".nas": read_nastran, ".ply": _VTK, ".off": read_off, ".exo": _VTK, ".e": _VTK, ".ex2": _VTK, ".cgns": _VTK,
     **dict.fromkeys((".vtp", ".vts", ".vtr", ".vti"), _VTK), ".stl": _refuse_stl}
 _OWN = (read_deck, read_unv, read_medit, read_obj, read_nastran, read_off, _refuse_stl)
 

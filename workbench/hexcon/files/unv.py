@@ -43,7 +43,7 @@ def write(path, elements):
                        first=first_quad)
         stream.write("    -1\n")
         groups = [(name, 8, rows + first_quad) for _, name, rows in elements.named()]
-        groups += [(name, 7, elements.nodes_of(name) + 1) for name in elements.node_groups]
+        groups += [(name, 7, elements.nodes_of_set(name) + 1) for name in elements.node_groups]
         if groups:
             stream.write("    -1\n  2467\n")
             for k, (name, kind, ids) in enumerate(groups, 1):

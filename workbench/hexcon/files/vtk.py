@@ -76,7 +76,7 @@ def _node_groups(elements):
     arrays = {}
     for name in elements.node_groups:
         arrays[name] = np.zeros(len(elements.points), np.uint8)
-        arrays[name][elements.nodes_of(name)] = 1
+        arrays[name][elements.nodes_of_set(name)] = 1
     return arrays
 
 
