@@ -13,6 +13,7 @@ from .smooth import optimise, scaled_jacobian
 from .templates import IF_POOR, TEMPLATES
 
 GOOD = 0.75        # a template this good, as a share of what the corners allow, is taken at once
+FINE = 0.85, 0.95   # and where the mean is so good as well, nothing else is tried
 BONUS = 0.05       # what regular structure is worth, in scaled Jacobian
 ENOUGH = 0.7       # an unstructured mesh this good ends the search on a large cap
 LARGE = 3000       # quads
@@ -43,6 +44,11 @@ class CapMesh:
         sj = [scaled_jacobian(p, self.quads) for p in (self.points, self.top)]
         return float(np.min(sj)), float(np.mean(sj))
 
+    def is_fine(self, limit):
+        """Whether others need not be tried."""
+        low, mean = self.quality()
+        return low > FINE[0] * limit and mean > FINE[1]
+
     def score(self):
         low, mean = self.quality()
         return 0.65 * low + 0.35 * mean + BONUS * (self.name in TEMPLATES)
@@ -59,8 +65,9 @@ def mesh_cap(outline, link, label):
             continue
         if plan not in plans:
             plans[plan] = plan(outline)
-        if plans[plan] is not None:
-            _try(tried, outline, name, plans[plan], build)
+        for counts in plans[plan]:
+            if not any(t.is_fine(outline.limit()) for t in tried):
+                _try(tried, outline, name, counts, build)
     link.progress("cap", 0.3)
     best = max((t.quality()[0] for t in tried), default=0.0)
     if best < GOOD * outline.limit():

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Structured quad meshes of caps with a simple outline.
 
-Each template has a plan (Outline -> interval counts per loop, or None where it does not apply) and a
+Each template has plans (Outline -> list of interval counts per loop, empty where it does not apply) and a
 mesh (Outline, counts, boundary (Nb,2) -> points, quads; or None). Points 0..Nb-1 are the boundary, loop after loop.
 """
 from functools import partial
@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 
 from .outline import even, rounded, with_total
-from .plane.lattice import lattice_plan, lattice_template
+from .plane.lattice import lattice_plans, lattice_template
 from .plane_mesh import Builder
 from .submap import submap_mesh, submap_plan
 
@@ -314,14 +314,22 @@ def ring_mesh(outline, counts, boundary):
     return build.result()
 
 
-_RINGED = {f"lattice, o-grid {' and '.join(rings)}": (lattice_plan, partial(lattice_template, rings=rings))
-           for rings in (("holes",), ("outer",), ("outer", "holes"))}
+def _only(plan):
+    """A plan with a list of counts, of one that gives one or None."""
+    def plans(outline):
+        counts = plan(outline)
+        return [] if counts is None else [counts]
+    return plans
 
-# name -> (plan, mesh)
-TEMPLATES = {"mapped": (submap_plan, submap_mesh), "midpoint": (midpoint_plan, midpoint_mesh),
-             "o-grid": (ogrid_plan, ogrid_mesh),
-             "half o-grid": (half_ogrid_plan, half_ogrid_mesh), "ring": (ring_plan, ring_mesh),
-             "lattice": (lattice_plan, lattice_template), **_RINGED}
 
-IF_POOR = {name for name in _RINGED if "outer" in name}
+_LATTICES = {"lattice" + (f", o-grid {' and '.join(rings)}" if rings else ""):
+             (lattice_plans, partial(lattice_template, rings=rings))
+             for rings in (("holes",), (), ("outer", "holes"), ("outer",))}
+
+# name -> (plans, mesh)
+TEMPLATES = {"mapped": (_only(submap_plan), submap_mesh), "midpoint": (_only(midpoint_plan), midpoint_mesh),
+             "o-grid": (_only(ogrid_plan), ogrid_mesh), "half o-grid": (_only(half_ogrid_plan), half_ogrid_mesh),
+             "ring": (_only(ring_plan), ring_mesh), **_LATTICES}
+
+IF_POOR = {name for name in _LATTICES if "outer" in name}
 """Of them those that are worth a try only where no other is good: a ring along the outline splits its corners."""

@@ -13,48 +13,45 @@ RIGHT = np.pi / 2
 
 @dataclass(frozen=True)
 class Run:
-    """loop, heading (0: along the frame's x, 1: y, 2, 3); segments (k,): of the loop, in order; hard: whether it begins
-    at a corner of the outline, so that no point may be moved over its start.
+    """loop: of the chart; heading: 0 along its x, 1 along its y, 2, 3; hard: whether its start must stay where it is.
 
-    place     the frame's y of a run along x, x of one along y: mean by length;  low, high: its extent along itself
+    segments  (k,) rows of the chart's loop, in order;  source: (k,) of the region, -1 on a cut
+    place     the chart's y of a run along x, x of one along y: mean by length;  low, high: its extent along itself
     ends      (k,2) where each segment begins and ends along the run, the lesser first
+    length    (k,) in the chart
     """
 
     loop: int
     heading: int
-    segments: np.ndarray
     hard: bool
+    segments: np.ndarray
+    source: np.ndarray
     place: float
     low: float
     high: float
     ends: np.ndarray
+    length: np.ndarray
+
+    @property
+    def is_cut(self):
+        return self.source[0] < 0
 
 
-def frame_of(loops):
-    """Angle in radians from 0 to a quarter turn in which most of the outline's length runs straight along axes."""
-    ways = np.concatenate([np.roll(p, -1, axis=0) - p for p in loops])
-    way = ways[:, 0] + 1j * ways[:, 1]
-    length = np.abs(way)
-    total = (length * (way / np.maximum(length, 1e-300)) ** 4).sum()
-    return float(np.angle(total) / 4) if abs(total) > 1e-9 * length.sum() else 0.0
-
-
-def runs_of(loops, corner):
-    """list of lists of Run, None where a loop turns back on itself or never turns.
-
-    loops   list of (N,2) points in the frame;  corner: list of (N,) bool, whether the outline has a corner at a point
-    """
+def runs_of(chart):
+    """list of lists of Run, of a list of ChartLoop; None where a loop turns back on itself or never turns."""
     found = []
-    for number, (points, hard) in enumerate(zip(loops, corner)):
-        headings = _quantised(points)
+    for number, loop in enumerate(chart):
+        headings = _quantised(loop.points)
         before = np.roll(headings, 1)
         before[0] += _closing(headings)
         change = np.flatnonzero(headings != before)
-        if len(change) < 4 or _steps(headings, change) is None:
+        if len(change) < 4 or not _turns_by_one(headings[change]):
             return None
-        ends = np.append(change[1:], change[0] + len(points))
-        found.append([_run(points, number, int(headings[a]) % 4, np.arange(a, b) % len(points), bool(hard[a]))
-                      for a, b in zip(change, ends)])
+        ends = np.append(change[1:], change[0] + len(headings))
+        runs = [_run(loop, number, int(headings[a]) % 4, np.arange(a, b) % len(headings)) for a, b in zip(change, ends)]
+        if any((run.source < 0).any() and (len(run.source) > 1 or not run.hard) for run in runs):
+            return None         # a cut runs on into the outline
+        found.append(runs)
     return found
 
 
@@ -72,18 +69,16 @@ def _closing(headings):
     return int(4 * np.rint((headings[0] - headings[-1]) / 4.0))
 
 
-def _steps(headings, change):
-    """(runs,) by how much each run turns against the one before; None unless all are 1 or -1."""
-    at = headings[change]
-    steps = (at - np.roll(at, 1) + 2) % 4 - 2
-    return steps if (np.abs(steps) == 1).all() else None
+def _turns_by_one(headings):
+    """Whether each run turns by a quarter against the one before."""
+    return bool((np.abs((headings - np.roll(headings, 1) + 2) % 4 - 2) == 1).all())
 
 
-def _run(points, loop, heading, segments, hard):
-    ends = points[segments], points[(segments + 1) % len(points)]
+def _run(loop, number, heading, segments):
+    start, end = loop.points[segments], loop.points[(segments + 1) % len(loop.points)]
     across = 1 - heading % 2
-    length = np.linalg.norm(ends[1] - ends[0], axis=1)
-    middle = (ends[0][:, across] + ends[1][:, across]) / 2
-    along = np.sort(np.stack([e[:, 1 - across] for e in ends], axis=1), axis=1)
-    return Run(loop, heading, segments, hard, float((middle * length).sum() / length.sum()),
-               float(along.min()), float(along.max()), along)
+    length = np.linalg.norm(end - start, axis=1)
+    middle = (start[:, across] + end[:, across]) / 2
+    along = np.sort(np.stack([start[:, 1 - across], end[:, 1 - across]], axis=1), axis=1)
+    return Run(number, heading, bool(loop.hard[segments[0]]), segments, loop.source[segments],
+               float((middle * length).sum() / length.sum()), float(along.min()), float(along.max()), along, length)

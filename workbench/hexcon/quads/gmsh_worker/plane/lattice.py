@@ -1,47 +1,73 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Quads of a square lattice for regions whose outline runs mostly along two directions, with holes of any shape.
 
-Corners, rounded corners and round holes are corners of the lattice polygon. A *pillow*, one ring of quads along a loop,
-takes its corners off the boundary: round a hole that is an o-grid.
+The directions are those of the plane, or round a centre and along its radii. Corners, rounded corners and round holes
+are corners of the lattice polygon. A *pillow*, one ring of quads along a loop, takes its corners off the boundary:
+round a hole that is an o-grid.
 """
+from dataclasses import dataclass
+
 import numpy as np
 
 from ..outline import CORNER, even, with_total
 from ..plane_mesh import harmonic
-from ..submap import inside_of, numbered
-from .headings import frame_of, runs_of
+from ..submap import inside_of
+from .charts import charts_of
+from .headings import runs_of
 from .lattice_counts import lattice_lines, run_counts
-from .region import region_of
 
 FINE = 16       # points of an edge by which an outline without divisions is looked at
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Runs of a chart's loop that are one loop of the region: loop and numbers of the runs in order, from the one that
+    begins at `row` of the region's points on, of which `first` to `first + count - 1` are the loop's."""
+
+    loop: int
+    runs: list
+    first: int
+    count: int
+    row: int
 
 
 class LatticeCounts(list):
     """Interval counts per loop and edge, with the lattice that they are of.
 
-    runs    list of lists of Run;  lines: (runs,) lattice line of each, loop after loop
-    begins  per loop (number of a run, the row of the loop's points where it begins)
+    runs       list of lists of Run;  lines: (runs,) lattice line of each, loop after loop
+    stretches  list of Stretch
     """
 
-    def __init__(self, counts, runs, lines, begins):
+    def __init__(self, counts, runs, lines, stretches):
         super().__init__(counts)
-        self.runs, self.lines, self.begins = runs, lines, begins
+        self.runs, self.stretches = runs, stretches
+        self.lines = np.split(lines, np.cumsum([len(loop) for loop in runs])[:-1])
 
 
-def lattice_plan(outline):
-    """LatticeCounts of an Outline without divisions, or None where there is no lattice for it."""
+def lattice_plans(outline):
+    """list of LatticeCounts of an Outline without divisions, one for each chart in which there is a lattice."""
     loops = outline.place(even([np.full(len(d), FINE) for d in outline.desired]))
     corner = [np.repeat(np.abs(t) > CORNER, FINE) & (np.arange(FINE * len(t)) % FINE == 0) for t in outline.turn]
-    runs = runs_of(_framed(loops), corner)
-    if runs is None:
-        return None
-    parts = [[_parts_of(run) for run in loop] for loop in runs]
-    least = [[[max(1, int(np.ceil(few[e] * share - 1e-9))) for e, share in own] for own in loop]
-             for loop, few in zip(parts, outline.least)]
-    weights = [np.repeat(np.maximum(d, few), FINE) / FINE for d, few in zip(outline.desired, outline.least)]
-    lines = lattice_lines(runs, weights, [[sum(few) for few in loop] for loop in least])
-    straight = [_straight(loop) for loop in loops]
-    return None if lines is None else _shared_out(outline, runs, lines, parts, least, straight)
+    desired, least = np.concatenate(outline.desired), np.concatenate(outline.least)
+    weights = np.repeat(np.maximum(desired, least), FINE) / FINE
+    straight = np.concatenate([_straight(loop) for loop in loops])
+    found = []
+    for chart in charts_of(loops, corner):
+        runs = runs_of(chart)
+        if runs is None:
+            continue
+        flat = [run for loop in runs for run in loop]
+        parts = [_parts_of(run) for run in flat]
+        few = [np.array([max(1, int(np.ceil(least[e] * share - 1e-9))) for e, share in own], int) for own in parts]
+        lines = lattice_lines(runs, _worth(flat, weights, outline.size), [max(1, f.sum()) for f in few])
+        plan = None if lines is None else _shared_out(outline, runs, lines, parts, few, desired, straight)
+        if plan is not None:
+            found.append(plan)
+    return found
+
+
+def _worth(flat, weights, size):
+    return [run.length / size if run.is_cut else weights[run.source] for run in flat]
 
 
 def _straight(loop):
@@ -52,30 +78,38 @@ def _straight(loop):
 
 
 def _parts_of(run):
-    """[(edge, what part of it)] in order."""
-    edge = run.segments // FINE
+    """[(edge, what part of it)] in order; none on a cut."""
+    if run.is_cut:
+        return []
+    edge = run.source // FINE
     first = np.flatnonzero(np.r_[True, edge[1:] != edge[:-1]])
     return [(int(edge[a]), (b - a) / FINE) for a, b in zip(first, np.append(first[1:], len(edge)))]
 
 
-def _shared_out(outline, runs, lines, parts, least, straight):
+def _shared_out(outline, runs, lines, parts, least, desired, straight):
     """LatticeCounts: the intervals of each run given to its edges, or None."""
-    result, begins, first = [], [], 0
-    for k, loop in enumerate(runs):
-        totals = run_counts(loop, lines, first)
-        first += len(loop)
-        counts, before = np.zeros(len(outline.desired[k]), int), []
-        for own, few, total in zip(parts[k], least[k], totals):
-            wanted = np.maximum([outline.desired[k][e] * share for e, share in own], few)
-            made = _given(wanted, np.array(few), int(total), straight[k][[e for e, _ in own]])
-            if made is None:
-                return None
-            before.append(made)
-            for (e, _), n in zip(own, made):
-                counts[e] += n
-        result.append(counts)
-        begins.append(_begin_of_first(loop, parts[k], before, counts))
-    return LatticeCounts(result, runs, lines, begins)
+    totals = np.concatenate([run_counts(loop, own) for loop, own in
+                             zip(runs, np.split(lines, np.cumsum([len(loop) for loop in runs])[:-1]))])
+    counts, made = np.zeros(len(desired), int), []
+    for own, few, total in zip(parts, least, totals):
+        wanted = np.maximum([desired[e] * share for e, share in own], few) if own else np.empty(0)
+        given = _given(wanted, few, int(total), straight[[e for e, _ in own]]) if own else np.empty(0, int)
+        if given is None:
+            return None
+        made.append(given)
+        for (e, _), n in zip(own, given):
+            counts[e] += n
+    edges = np.cumsum([0] + [len(d) for d in outline.desired])
+    rows = np.concatenate([[0], np.cumsum(counts)])
+    stretches = []
+    for loop, numbers, flat in _stretches(runs):
+        edge = parts[flat[0]][0][0]
+        k = int(np.searchsorted(edges, edge, side="right")) - 1
+        first, count = int(rows[edges[k]]), int(rows[edges[k + 1]] - rows[edges[k]])
+        start = runs[loop][numbers[0]].source[0] % FINE
+        begin = int(rows[edge]) + _before(start, edge, [parts[i] for i in flat], [made[i] for i in flat])
+        stretches.append(Stretch(loop, numbers, first, count, first + (begin - first) % count))
+    return LatticeCounts([counts[a:b] for a, b in zip(edges, edges[1:])], runs, lines, stretches)
 
 
 def _given(wanted, least, total, straight):
@@ -88,59 +122,97 @@ def _given(wanted, least, total, straight):
     return counts
 
 
-def _begin_of_first(loop, parts, made, counts):
-    """(0, row): where the first run begins: at the start of its first edge, or inside, after what others have of it."""
-    edge, share = parts[0][0]
-    row = int(np.concatenate([[0], np.cumsum(counts)])[edge])
-    if loop[0].segments[0] % FINE == 0:
-        return 0, row
-    at_end = [(own[-1][0] == edge and i > 0) for i, own in enumerate(parts)]
-    if len(counts) > 1 and any(at_end):
-        return 0, (row + int(made[at_end.index(True)][-1])) % int(counts.sum())
-    return 0, int(np.rint(row + loop[0].segments[0] % FINE / FINE * counts[edge])) % int(counts.sum())
+def _before(start, edge, parts, made):
+    """Intervals that an edge has before its point `start` of FINE, at which a run begins: those of the run that is last
+    to have a part of it; of an edge that is a whole loop its part of all."""
+    if start == 0:
+        return 0
+    if all(e == edge for own in parts for e, _ in own):
+        return int(np.rint(start / FINE * sum(int(given.sum()) for given in made)))
+    last = [given[-1] for own, given in zip(parts, made) if own[-1][0] == edge]
+    return int(last[-1]) if last else 0
 
 
-def _framed(loops):
-    """The loops turned into the frame in which most of them runs along axes."""
-    angle = frame_of(loops)
-    turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
-    return [loop @ turn for loop in loops]
+def _stretches(runs):
+    """[(loop, numbers of its runs from a hard start on, their numbers in all)]: whole loops, or parts between cuts."""
+    found, first = [], 0
+    for k, loop in enumerate(runs):
+        n = len(loop)
+        cuts = [i for i, run in enumerate(loop) if run.is_cut]
+        if cuts:
+            groups = [[i % n for i in range(a + 1, b)] for a, b in ((cuts[0], cuts[1]), (cuts[1], cuts[0] + n))]
+        else:
+            hard = next((i for i, run in enumerate(loop) if run.hard), 0)
+            groups = [[(hard + i) % n for i in range(n)]]
+        found += [(k, group, [first + i for i in group]) for group in groups]
+        first += n
+    return found
 
 
-def lattice_of(region):
-    """LatticeCounts of a PlaneRegion, one interval an edge, or None."""
+def lattices_of(region):
+    """list of LatticeCounts of a PlaneRegion, one interval an edge."""
     corner = [np.abs(t) > CORNER for t in region.turns]
-    runs = runs_of(_framed(region.loops), corner)
-    if runs is None:
-        return None
-    ones = [np.ones(len(loop), int) for loop in region.loops]
-    lines = lattice_lines(runs, ones, [np.ones(len(loop)) for loop in runs], [_sums(loop) for loop in runs])
-    if lines is None:
-        return None
-    begins, first = [], 0
-    for loop in runs:
-        counts = run_counts(loop, lines, first)
-        first += len(loop)
-        hard = next((i for i, run in enumerate(loop) if run.hard), 0)
-        begins.append((hard, _begin(loop, hard, counts)))
-    return LatticeCounts(ones, runs, lines, begins)
+    sizes = np.array([len(loop) for loop in region.loops])
+    starts = np.cumsum(sizes) - sizes
+    ones = [np.ones(n, int) for n in sizes]
+    size = float(np.linalg.norm(region.boundary[region.after] - region.boundary, axis=1).mean())
+    found = []
+    for chart in charts_of(region.loops, corner):
+        runs = runs_of(chart)
+        if runs is None:
+            continue
+        flat = [run for loop in runs for run in loop]
+        groups = _stretches(runs)
+        fixed = [part for _, _, members in groups for part in _sums(flat, members)]
+        lines = lattice_lines(runs, _worth(flat, np.ones(sizes.sum()), size), np.ones(len(flat)), fixed)
+        if lines is None:
+            continue
+        stretches = []
+        for loop, numbers, members in groups:
+            k = int(np.searchsorted(starts, flat[members[0]].source[0], side="right")) - 1
+            row = _row([flat[i] for i in members], _counts_in(runs, lines, members), int(starts[k]), int(sizes[k]))
+            stretches.append(Stretch(loop, numbers, int(starts[k]), int(sizes[k]), row))
+        found.append(LatticeCounts(ones, runs, lines, stretches))
+    return found
+
+
+def _counts_in(runs, lines, members):
+    own = np.split(lines, np.cumsum([len(loop) for loop in runs])[:-1])
+    return np.concatenate([run_counts(loop, line) for loop, line in zip(runs, own)])[members]
+
+
+def _sums(flat, members):
+    """[(numbers of runs, sum of their intervals)] between hard starts of a stretch."""
+    starts = [i for i, member in enumerate(members) if flat[member].hard] or [0]
+    ends = [*starts[1:], len(members)]
+    return [(members[a:b], sum(len(flat[i].segments) for i in members[a:b])) for a, b in zip(starts, ends)]
+
+
+def _row(runs, counts, first, count):
+    """The region's point at which the first of the runs begins: given at a corner, else where all runs fit best."""
+    if runs[0].hard:
+        return int(runs[0].source[0])
+    off = np.array([run.source[0] - first for run in runs]) - np.concatenate([[0], np.cumsum(counts)[:-1]])
+    off = off[0] + (off - off[0] + count // 2) % count - count // 2
+    return first + int(np.rint(off.mean())) % count
 
 
 def lattice_mesh(boundary, lattice):
     """(points (m,2), quads), boundary (Nb,2) first, of LatticeCounts; None where its polygon touches itself."""
-    nodes, steps, first = [], [], 0
-    for loop, begin in zip(lattice.runs, lattice.begins):
-        made = _path(loop, lattice.lines, first, *begin)
+    places, rows, steps = [], [], []
+    for k in range(len(lattice.runs)):
+        made = _path(lattice, k, len(boundary))
         if made is None:
             return None
-        nodes.append(made[0])
-        steps.append(made[1])
-        first += len(loop)
-    nodes = np.concatenate(nodes)
-    nodes = nodes - nodes.min(axis=0)
-    inside = inside_of(nodes, np.concatenate(steps))
-    ids = numbered(nodes, inside)
-    if ids is None or len(nodes) != len(boundary):
+        for whole, part in zip((places, rows, steps), made):
+            whole.append(part)
+    places, rows = np.concatenate(places), np.concatenate(rows)
+    places = places - places.min(axis=0)
+    if len(np.unique(rows[rows < len(boundary)])) != len(boundary):
+        return None
+    inside = inside_of(places, np.concatenate(steps))
+    ids = _numbered(places, rows, inside)
+    if ids is None:
         return None
     i, j = np.nonzero(inside)
     quads = np.stack([ids[i, j], ids[i + 1, j], ids[i + 1, j + 1], ids[i, j + 1]], -1)
@@ -149,75 +221,85 @@ def lattice_mesh(boundary, lattice):
     return harmonic(points, quads, np.arange(len(points)) < len(boundary)), quads
 
 
-def _sums(loop):
-    """[(rows of runs, sum of their intervals)] between hard starts."""
-    starts = [i for i, run in enumerate(loop) if run.hard] or [0]
-    parts = []
-    for a, b in zip(starts, starts[1:] + [starts[0] + len(loop)]):
-        rows = [i % len(loop) for i in range(a, b)]
-        parts.append((rows, sum(len(loop[i].segments) for i in rows)))
-    return parts
+def _path(lattice, loop, count):
+    """(lattice places (n,2) along a loop of the chart, the mesh's point at each, steps (n,2) from each to the next).
 
-
-def _path(loop, lines, first, run, row):
-    """(lattice places (N,2) of the loop's points in their order, steps (N,2) from each to the next).
-
-    The number `run` begins at the loop's point `row`.
+    Points on a cut are new ones, `count` and after: both sides of it have the same.
     """
-    counts = run_counts(loop, lines, first)
+    runs, lines = lattice.runs[loop], lattice.lines[loop]
+    counts = run_counts(runs, lines)
     if (counts < 1).any():
         return None
-    own = lines[first:first + len(loop)]
-    order = [(run + i) % len(loop) for i in range(len(loop))]
-    heading = np.repeat([loop[i].heading for i in order], counts[order])
+    heading = np.repeat([run.heading for run in runs], counts)
     steps = np.array([[1, 0], [0, 1], [-1, 0], [0, -1]])[heading]
-    here, before = own[run], own[run - 1]
-    start = np.array([before, here] if loop[run].heading % 2 == 0 else [here, before])
+    start = np.array([lines[-1], lines[0]] if runs[0].heading % 2 == 0 else [lines[0], lines[-1]])
     places = start + np.concatenate([[[0, 0]], np.cumsum(steps, axis=0)[:-1]])
-    return np.roll(places, row, axis=0), np.roll(steps, row, axis=0)
+    at = np.concatenate([[0], np.cumsum(counts)])
+    rows = np.full(len(places), -1)
+    for stretch in (s for s in lattice.stretches if s.loop == loop):
+        own = np.concatenate([np.arange(at[i], at[i + 1]) for i in stretch.runs])
+        numbers = stretch.first + (stretch.row - stretch.first + np.arange(len(own))) % stretch.count
+        if len(own) != stretch.count:
+            return None
+        rows[own] = numbers
+        after = at[(stretch.runs[-1] + 1) % len(runs)]
+        if runs[(stretch.runs[-1] + 1) % len(runs)].is_cut:     # which begins where the stretch did
+            rows[after] = numbers[0]
+    down = None
+    for i in (i for i, run in enumerate(runs) if run.is_cut):
+        inner = count + np.arange(counts[i] - 1)
+        rows[at[i] + 1:at[i + 1]] = inner if down is None else inner[::-1]
+        down = i
+    return places, rows, steps
 
 
-def _begin(loop, run, counts):
-    """The loop's point at which a run begins: given at a corner, else where all runs fit best."""
-    if loop[run].hard:
-        return int(loop[run].segments[0])
-    order, total = [(run + i) % len(loop) for i in range(len(loop))], int(counts.sum())
-    starts = np.concatenate([[0], np.cumsum(counts[order])[:-1]])
-    off = np.array([loop[i].segments[0] for i in order]) - starts
-    off = off[0] + (off - off[0] + total // 2) % total - total // 2
-    return int(np.rint(off.mean())) % total
+def _numbered(places, rows, inside):
+    """Point numbers on the lattice, given ones on its polygon; None if that touches itself or has points inside."""
+    w, h = inside.shape
+    neighbours = np.zeros((w + 1, h + 1), int)
+    for dx in (0, 1):
+        for dy in (0, 1):
+            neighbours[dx:w + dx, dy:h + dy] += inside
+    ids = np.full((w + 1, h + 1), -1)
+    ids[places[:, 0], places[:, 1]] = rows
+    on = ids >= 0
+    if on.sum() != len(places) or (on & ((neighbours == 4) | (neighbours == 0))).any():
+        return None
+    free = (neighbours > 0) & ~on
+    if (neighbours[free] != 4).any():
+        return None
+    ids[free] = rows.max() + 1 + np.arange(free.sum())
+    return ids
 
 
 def pillowed(points, quads, loops):
     """(points, quads) with a ring of quads along each of the loops (of rows of points, in order).
 
-    A loop's points stay; the quads there get points of their own, a third of the way inwards.
+    A loop's points stay; the quads there get points of their own, half the way inwards.
     """
     points, quads = np.asarray(points), np.asarray(quads)
     for loop in loops:
         inner = len(points) + np.arange(len(loop))
         name = np.arange(len(points))
         name[loop] = inner
-        towards = np.zeros((len(points), 2))
-        count = np.zeros(len(points))
+        towards, count = np.zeros((len(points), 2)), np.zeros(len(points))
         for a, b in ((0, 1), (1, 2), (2, 3), (3, 0), (1, 0), (2, 1), (3, 2), (0, 3)):
             np.add.at(towards, quads[:, a], points[quads[:, b]])
             np.add.at(count, quads[:, a], 1.0)
         middle = towards[loop] / count[loop][:, None]
-        points = np.concatenate([points, points[loop] + (middle - points[loop]) / 2])
+        points = np.concatenate([points, (points[loop] + middle) / 2])
         ring = np.stack([loop, np.roll(loop, -1), np.roll(inner, -1), inner], -1)
         quads = np.concatenate([name[quads], ring])
     return points, quads
 
 
-def lattice_template(outline, counts, boundary, rings=()):
-    """A template's mesh, with a ring along the loops that are named: "outer", "holes"."""
+def lattice_template(outline, lattice, boundary, rings=()):
+    """A template's mesh of LatticeCounts, with a ring along the loops that are named: "outer", "holes"."""
     if "holes" in rings and len(outline.turn) == 1:
         return None
-    lattice = counts if isinstance(counts, LatticeCounts) else lattice_of(region_of(outline, counts, boundary))
-    made = None if lattice is None else lattice_mesh(boundary, lattice)
+    made = lattice_mesh(boundary, lattice)
     if made is None:
         return None
-    starts = np.cumsum([0] + [int(np.sum(c)) for c in counts])
+    starts = np.cumsum([0] + [int(np.sum(c)) for c in lattice])
     rows = [np.arange(a, b) for a, b in zip(starts, starts[1:])]
     return pillowed(*made, ([rows[0]] if "outer" in rings else []) + (rows[1:] if "holes" in rings else []))

@@ -29,7 +29,7 @@ class _Program:
     def near(self, terms, wanted, cost):
         """The sum of terms is wanted to be near a number: its distance costs."""
         slack = self.lines + len(self.cost)
-        self.cost.append(cost)
+        self.cost.append(cost / np.sqrt(max(wanted, 1.0)))
         self.row({**terms, slack: -1.0}, -np.inf, wanted)
         self.row({**terms, slack: 1.0}, wanted, np.inf)
 
@@ -50,39 +50,69 @@ class _Program:
         return None
 
 
-def lattice_lines(runs, weights, least, fixed=None):
+def lattice_lines(runs, worth, least, fixed=()):
     """(runs,) int: the lattice line of each run (y of one along x, x of one along y), None where there is none.
 
-    runs     list of lists of Run;  least: list per loop of (runs,) fewest intervals
-    weights  list per loop of (N,) intervals that each segment is worth
-    fixed    None, or list per loop of [(rows of runs, sum of their intervals)]: parts of loops divided already
+    runs    list of lists of Run
+    worth   list per run, loop after loop, of (k,) intervals that each of its segments is worth
+    least   (runs,) fewest intervals
+    fixed   [(numbers of runs, sum of their intervals)]: parts of loops divided already
     """
     flat = [run for loop in runs for run in loop]
     if len(flat) > MOST_RUNS:
         return None
-    program, first = _Program(len(flat)), 0
-    worth = [weights[run.loop][run.segments] for run in flat]
-    size = sum((run.ends[:, 1] - run.ends[:, 0]).sum() for run in flat) / max(sum(w.sum() for w in worth), 1e-300)
-    for k, loop in enumerate(runs):
-        counts = [_count_terms(loop, first, i) for i in range(len(loop))]
-        for i, terms in enumerate(counts):
-            program.row(terms, float(least[k][i]), np.inf)
-            _wanted_between(program, flat[first + i], worth[first + i], _stops(flat, first + i, terms))
-        for rows, total in ([] if fixed is None else fixed[k]):
-            program.row(_sum([counts[i] for i in rows]), total, total)
-        first += len(loop)
+    program, counts = _Program(len(flat)), _count_terms(runs)
+    size = sum(run.length.sum() for run in flat) / max(sum(w.sum() for w in worth), 1e-300)
+    for i, terms in enumerate(counts):
+        program.row(terms, float(least[i]), np.inf)
+        if not flat[i].is_cut:
+            _wanted_between(program, flat[i], worth[i], _stops(flat, i, terms))
+    for members, total in fixed:
+        program.row(_sum([counts[i] for i in members]), total, total)
+    for i, j in _glued(runs):
+        program.row({i: 1.0, j: -1.0}, 0, 0)
     for axis in (0, 1):
         _order(program, [(i, run) for i, run in enumerate(flat) if run.heading % 2 == axis], size)
-        anchor = next(i for i, run in enumerate(flat) if run.heading % 2 == axis)
-        program.row({anchor: 1.0}, 0, 0)
+        program.row({next(i for i, run in enumerate(flat) if run.heading % 2 == axis): 1.0}, 0, 0)
     return program.solved()
 
 
-def run_counts(loop, lines, first):
-    """(runs,) intervals of the runs of one loop, whose lines start at `first`."""
-    own = lines[first:first + len(loop)]
+def run_counts(loop, lines):
+    """(runs,) intervals of the runs of one loop, from its own lines."""
     sign = np.array([1 if run.heading < 2 else -1 for run in loop])
-    return sign * (np.roll(own, -1) - np.roll(own, 1))
+    return sign * (np.roll(lines, -1) - np.roll(lines, 1))
+
+
+def _count_terms(runs):
+    """Intervals of each run as a difference of the lines before and after it."""
+    found, first = [], 0
+    for loop in runs:
+        for i, run in enumerate(loop):
+            sign = 1.0 if run.heading < 2 else -1.0
+            found.append({first + (i + 1) % len(loop): sign, first + (i - 1) % len(loop): -sign})
+        first += len(loop)
+    return found
+
+
+def _glued(runs):
+    """Pairs of runs before and after a cut, which are one: [(number, number)]."""
+    pairs, first = [], 0
+    for loop in runs:
+        cuts = [i for i, run in enumerate(loop) if run.is_cut]
+        if cuts:
+            a, b = cuts
+            ends = [((a - 1) % len(loop), (b + 1) % len(loop)), ((a + 1) % len(loop), (b - 1) % len(loop))]
+            pairs += [(first + i, first + j) for i, j in ends if i != j]
+        first += len(loop)
+    return pairs
+
+
+def _sum(parts):
+    total = {}
+    for terms in parts:
+        for line, value in terms.items():
+            total[line] = total.get(line, 0.0) + value
+    return total
 
 
 def _wanted_between(program, run, worth, stops):
@@ -92,8 +122,7 @@ def _wanted_between(program, run, worth, stops):
         if i != j and b > a:
             first, last = stops[0][0] == a, stops[-1][0] == b
             own = worth[((middle >= a) | first) & ((middle < b) | last)].sum()
-            wanted = max(float(own), 1.0)
-            program.near({j: 1.0, i: -1.0}, wanted, EDGE_COST / np.sqrt(wanted))
+            program.near({j: 1.0, i: -1.0}, max(float(own), 1.0), EDGE_COST)
 
 
 def _stops(flat, number, terms):
@@ -113,35 +142,18 @@ def _stops(flat, number, terms):
     return sorted(stops)
 
 
-def _count_terms(loop, first, i):
-    """Intervals of a run as a difference of the lines before and after it."""
-    before, after = first + (i - 1) % len(loop), first + (i + 1) % len(loop)
-    sign = 1.0 if loop[i].heading < 2 else -1.0
-    return {after: sign, before: -sign}
-
-
-def _sum(parts):
-    total = {}
-    for terms in parts:
-        for line, value in terms.items():
-            total[line] = total.get(line, 0.0) + value
-    return total
-
-
 def _order(program, lines, size):
     """Rows for lines of one direction: [(number, Run)]."""
     lines = sorted(lines, key=lambda one: one[1].place)
     width = max(run.place for _, run in lines) - min(run.place for _, run in lines)
     for a, (i, low) in enumerate(lines):
-        for j, high in [line for line in lines[a + 1:]]:
+        for j, high in lines[a + 1:]:
             shared = min(low.high, high.high) - max(low.low, high.low)
             apart = high.place - low.place
-            beside = shared > 1e-3 * min(low.high - low.low, high.high - high.low)
-            if beside:
+            if shared > 1e-3 * min(low.high - low.low, high.high - high.low):
                 program.row({j: 1.0, i: -1.0}, 1, np.inf)
                 if _sees(low, high) and not _hidden(lines, low, high):
-                    gap = apart / size
-                    program.near({j: 1.0, i: -1.0}, gap, GAP_COST / np.sqrt(max(gap, 1.0)))
+                    program.near({j: 1.0, i: -1.0}, apart / size, GAP_COST)
             elif apart > NEAR * width:
                 program.row({j: 1.0, i: -1.0}, 0, np.inf)
 

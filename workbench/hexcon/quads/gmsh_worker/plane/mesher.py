@@ -8,8 +8,10 @@ from .. import paved
 from ..link import Link
 from ..smooth import optimise, scaled_jacobian
 from ..templates import IF_POOR, TEMPLATES
+from .lattice import lattices_of
 
 GOOD = 0.75         # a structured mesh this good, as a share of what the corners allow, is taken without gmsh
+FINE = 0.85, 0.95   # and where the mean is so good as well, nothing else is tried
 BONUS = 0.05        # what regular structure is worth, in scaled Jacobian
 LEAST = 0.02        # a mesh with a worse quad is none
 FEWEST = 4          # boundary points
@@ -50,10 +52,12 @@ def mesh_plane(region, size, link=None, label="region"):
     Cost: a few optimisations of n quads each, O(n) an iteration.
     """
     _check(region)
-    tried = []
-    for name, template in TEMPLATES.items():
+    tried, ones, lattices = [], [[np.ones(len(loop), int) for loop in region.loops]], lattices_of(region)
+    for name, (_, build) in TEMPLATES.items():
         if name not in IF_POOR or max((mesh.low for mesh in tried), default=0.0) < GOOD * region.limit:
-            tried += _templated(region, size, name, template)
+            for counts in lattices if name.startswith("lattice") else ones:
+                if not any(mesh.low > FINE[0] * mesh.limit and mesh.mean > FINE[1] for mesh in tried):
+                    tried += _templated(region, size, name, counts, build)
     if max((mesh.low for mesh in tried), default=0.0) < GOOD * region.limit:
         tried += _paved(region, size, link or Link(), label)
     if not tried:
@@ -72,13 +76,12 @@ def _check(region):
         raise NoPlaneMesh("the boundary encloses no area")
 
 
-def _templated(region, size, name, template):
+def _templated(region, size, name, counts, build):
     """[PlaneMesh] or []."""
     if not _applies(region, name):
         return []
-    outline, counts = region.outline(size), [np.ones(len(loop), int) for loop in region.loops]
     try:
-        made = judged(region, template[1](outline, counts, region.boundary), name)
+        made = judged(region, build(region.outline(size), counts, region.boundary), name)
     except (ValueError, IndexError, TypeError):     # a template that asks for other counts
         return []
     return [] if made is None else [made]

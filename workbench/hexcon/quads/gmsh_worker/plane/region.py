@@ -64,17 +64,6 @@ class PlaneRegion:
                        [np.arctan2(w[:, 1], w[:, 0]) for w in ways], lambda shares: self.loops, None, size)
 
 
-def region_of(outline, counts, boundary):
-    """The PlaneRegion of an Outline divided by counts per loop and edge, boundary (Nb,2)."""
-    ends = np.cumsum([int(np.sum(c)) for c in counts])
-    turns = []
-    for turn, c in zip(outline.turn, counts):
-        at = np.zeros(int(np.sum(c)))
-        at[np.cumsum(c) - c] = turn
-        turns.append(at)
-    return PlaneRegion(np.split(np.asarray(boundary, float), ends[:-1]), turns)
-
-
 def _corners_of(loop):
     """(N,) left turn of a polygon at its points, 0 where that is no corner."""
     ahead = np.roll(loop, -1, axis=0) - loop
