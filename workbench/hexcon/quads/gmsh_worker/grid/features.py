@@ -119,6 +119,25 @@ class Curve:
             s[better] = (self.s[segment] + t * (self.s[segment + 1] - self.s[segment]))[better]
         return s, best
 
+    def is_straight(self, carriers):
+        """Whether it is one line. carriers: CAD edge -> Carrier."""
+        return len(self.parts) == 1 and carriers[self.parts[0][0]].kind == "Line"
+
+    def evened(self, points):
+        """(n,3) evenly spaced for points in order along it, whose first and last are its ends; one, if it is closed, which
+        then turns so that they are moved least."""
+        along = np.linspace(0.0, self.length, len(points))
+        if not self.closed:
+            return np.vstack([points[:1], self.at(along[1:-1]), points[-1:]])
+        s, _ = self.lengths_of(points)
+        step = np.diff(s)
+        step -= self.length * np.round(step / self.length)
+        s = s[0] + np.concatenate([[0.0], np.cumsum(step)])
+        along = np.copysign(along, step.sum())
+        out = self.at(along + (s - along)[:-1].mean())
+        out[-1] = out[0]
+        return out
+
     def project(self, points):
         """(points of the CAD (n,3), unit tangents (n,3)); nearest up to the spacing of samples squared."""
         s, _ = self.lengths_of(points)

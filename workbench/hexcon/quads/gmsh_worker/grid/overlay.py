@@ -126,9 +126,12 @@ def _filled(mesh, features, h, work, report):
     found = _judged(mesh, features, points, sliding, h)
     if fine or not found.good:
         return found
-    points = sliding.relax(points, passes=PASSES, mean_passes=MEAN_PASSES, threads=1)
-    polished = _judged(mesh, features, points, sliding, h)
-    return max(found, polished, key=lambda one: one.rank)
+    for polish in (sliding.polished, sliding.relax):
+        shiny = _judged(mesh, features, polish(points, passes=PASSES, mean_passes=MEAN_PASSES, threads=1), sliding, h)
+        found = max(found, shiny, key=lambda one: one.rank)
+        if shiny.good and shiny.quality.min > GOOD:
+            return shiny
+    return found
 
 
 def _judged(mesh, features, points, sliding, h):

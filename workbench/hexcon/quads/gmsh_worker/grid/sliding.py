@@ -40,7 +40,8 @@ class Sliding:
     """
 
     def __init__(self, mesh, features):
-        self._corners, self._on, curves = features.corners, FeatureCarriers(features), len(features.curves)
+        self._features, self._corners, self._on, curves = features, features.corners, FeatureCarriers(features), \
+            len(features.curves)
         self.chains = [mesh.chain(features, c) for c in range(curves)]
         self.carrier_of_point = np.full(len(mesh.points), FREE)
         self.carrier_of_point[mesh.quads] = curves + mesh.patch[:, None]
@@ -48,6 +49,16 @@ class Sliding:
             self.carrier_of_point[chain] = c
         self.carrier_of_point[mesh.corner_vertex] = STAYS
         self._hexes, self.corner_vertex = mesh.hexes, mesh.corner_vertex
+
+    def polished(self, points, **options):
+        """hexcon_native.relax with the points of round curves held, evenly spaced: left to slide they crowd together, as
+        shapes of hexes do not feel that long chords cut the solid."""
+        features, carriers, points = self._features, self.carrier_of_point.copy(), points.copy()
+        for c, chain in enumerate(self.chains):
+            if not features.curves[c].is_straight(features.cad.curve_carriers):
+                points[chain] = features.curves[c].evened(points[chain])
+                carriers[chain] = STAYS
+        return hn.relax(self.project(points), self._hexes, carriers, self._on.rows, project=self._on.project, **options)
 
     def on_patch(self):
         """(n,) points that slide on patches."""
