@@ -132,6 +132,9 @@ def test_the_same_reader_for_all(tmp_path):
 
 
 INCLUDED = {
+    "data lines alone": ({"n.txt": nodes().split("\n", 1)[1]}, "*NODE\n*INCLUDE, INPUT=n.txt\n" + elements()),
+    "more data in the middle": ({"e.txt": elements(HEXES[4:], first=5).split("\n", 1)[1]},
+                                nodes() + elements(HEXES[:4]) + "*INCLUDE, INPUT=e.txt\n*NSET, NSET=A\n1\n"),
     "beside it": ({"rest.inp": elements(HEXES[4:], first=5)}, nodes() + elements(HEXES[:4]) + "*INCLUDE, "
         "INPUT=rest.inp\n"),
     "quoted, with a blank": ({"the rest.inp": elements(HEXES[4:], first=5)},
@@ -197,8 +200,8 @@ def test_sets_and_surfaces(tmp_path):
     sets = "*NSET, NSET=corner\n1\n*NSET, NSET=row, GENERATE\n1, 3\n*NSET, NSET=both\nCORNER, Row\n" \
            "*NSET, NSET=of_low, ELSET=low\n*SURFACE, NAME=points, TYPE=NODE\nrow\n"
     found = read_mesh(write(tmp_path, BOX + side + sets))
-    assert {name: len(rows) for name, rows in found.groups.items()} == {"Bottom": 4, "Mixed": 2}
-    assert (found.points[found.quads[found.groups["Bottom"]]][..., 2] == 0).all()
+    assert {name: len(rows) for name, rows in found.quad_groups.items()} == {"Bottom": 4, "Mixed": 2}
+    assert (found.points[found.quads[found.quad_groups["Bottom"]]][..., 2] == 0).all()
     assert {name: len(rows) for name, rows in found.node_groups.items()} == {"corner": 1, "row": 3, "both": 3,
         "of_low": 18, "points": 3}
 
@@ -212,15 +215,15 @@ def test_sets_of_instances(tmp_path):
     found = read_mesh(write(tmp_path, deck))
     assert found.points[found.node_groups["one"]].tolist() == [[50, 0, 0]]
     assert len(found.node_groups["low"]) == 18 and len(found.node_groups["dotted"]) == 10
-    assert len(found.groups["top"]) == 2 and len(found.groups["face"]) == 2
-    assert (found.points[found.quads[found.groups["face"]]][..., 0] >= 50).all()
+    assert len(found.quad_groups["top"]) == 2 and len(found.quad_groups["face"]) == 2
+    assert (found.points[found.quads[found.quad_groups["face"]]][..., 0] >= 50).all()
 
 
 def test_groups_of_a_surface(tmp_path):
     """Element sets of shells and node sets are groups of the surface."""
     sets = "*ELSET, ELSET=Load\n1, 2\n*NSET, NSET=Hold, GENERATE\n1, 9\n*NSET, NSET=inner\n14\n"
     surface = surface_from_file(write(tmp_path, SHELL + sets))
-    assert surface.groups["Load"].tolist() == [0, 1] and "inner" not in surface.node_groups
+    assert surface.quad_groups["Load"].tolist() == [0, 1] and "inner" not in surface.node_groups
     assert (surface.points[surface.node_groups["Hold"]][:, 2] == 0).all() and len(surface.node_groups["Hold"]) == 9
 
 

@@ -53,7 +53,7 @@ def test_groups_come_back(tmp_path, mesh, ending, order):
     wanted = {"hold": LOW, "load": np.union1d(TOP, SIDE), "top only": TOP}
     if ending == "inp":
         wanted["top_only"] = wanted.pop("top only")     # a name in a deck has no blank
-    found = {name: places(back, rows) for name, rows in back.groups.items() if name != "Boundary"}
+    found = {name: places(back, rows) for name, rows in back.quad_groups.items() if name != "Boundary"}
     assert found == {name: places(mesh, rows) for name, rows in wanted.items()}
     rim = {tuple(place) for place in back.points[back.node_groups["rim"]].round(9).tolist()}
     corners = {(0.0, 0.0, 30.0), (5.0, 0.0, 30.0), (10.0, 0.0, 30.0)}
@@ -101,8 +101,8 @@ def test_groups_carry_loads(tmp_path, mesh):
     back = files.read_mesh(tmp_path / "m.unv")
     found = solve_inp(static_deck(back, fixed=["HOLD"], force={"top only": (0.0, 0.0, 200.0)}))
     numbered = files.read_mesh(tmp_path / "m.unv")
-    numbered.face_of_quad[numbered.groups["hold"]], numbered.face_of_quad[numbered.groups["top only"]] = 1, 2
-    numbered.groups = {}
+    numbered.face_of_quad[numbered.quad_groups["hold"]], numbered.face_of_quad[numbered.quad_groups["top only"]] = 1, 2
+    numbered.quad_groups = {}
     right = solve_inp(static_deck(numbered, fixed=["Face1"], force={"Face2": (0.0, 0.0, 200.0)}))
     assert np.array_equal(found.displacements, right.displacements) and found.max_displacement > 1e-5
     at_nodes = solve_inp(static_deck(back, fixed=["hold"], force={"rim": (0.0, 0.0, 200.0)}))
@@ -128,7 +128,7 @@ def test_a_deck_advises_only_what_is_there(tmp_path, mesh):
     files.write(mesh, tmp_path / "m.inp")
     text = (tmp_path / "m.inp").read_text(encoding="ascii")
     assert "** hold_NODES, 1, 3, 0" in text and "** load, P, 1.0" in text and "FACE1" not in text
-    mesh.groups, mesh.node_groups = {}, {}
+    mesh.quad_groups, mesh.node_groups = {}, {}
     files.write(mesh, tmp_path / "m.inp")
     text = (tmp_path / "m.inp").read_text(encoding="ascii")
     assert "No faces are named" in text and "*BOUNDARY" not in text

@@ -3,11 +3,12 @@
 import meshio
 import numpy as np
 import pytest
-from deck_texts import BOX, GRID, HEXES, OUTER, with_middles
+from deck_texts import BOX, GRID, HEXES, OUTER, elements, nodes, with_middles
 from quad_figures import volume_of
 
 from hexcon.errors import FaultCode, HexconError
 from hexcon.files import read_mesh
+from hexcon.meshing import mesh_quad_surface
 from hexcon.quads import surface_from_file
 
 
@@ -115,7 +116,7 @@ def test_surfaces(tmp_path, name):
     assert np.isclose(volume_of(surface.points, surface.quads), 6000)
     groups = {"twice.msh": {"skin", "all"}, "groups41.msh": {"skin", "all"}, "small.bdf": {"PID 1", "PID 2"},
               "long.nas": {"PID 1", "PID 2"}}
-    assert set(surface.groups) == groups.get(name, set())
+    assert set(surface.quad_groups) == groups.get(name, set())
 
 
 # name of the file: text; each is the mesh of 8 hexes
@@ -279,7 +280,7 @@ def test_universal_files(tmp_path, name):
     (tmp_path / "m.unv").write_text(text, encoding="ascii")
     surface = surface_from_file(tmp_path / "m.unv")
     assert len(surface.quads) == 24 and np.isclose(volume_of(surface.points, surface.quads), volume)
-    assert {name: len(rows) for name, rows in surface.groups.items()} == groups
+    assert {name: len(rows) for name, rows in surface.quad_groups.items()} == groups
     if name == "a turned system":
         assert np.allclose(surface.points.min(axis=0), (80, 0, 0)) and np.allclose(surface.points.max(axis=0), (100,
         10, 30))
@@ -298,3 +299,14 @@ def test_universal_files_refused(tmp_path, text, words):
     with pytest.raises(HexconError) as caught:
         surface_from_file(tmp_path / "m.unv")
     assert all(word in str(caught.value) for word in ("m.unv", *words)), caught.value
+
+
+def test_curved_edges_of_given_quads_come_back(tmp_path):
+    """Middle nodes of 8-node quads, moved off their edges: at order 2 the hexes have them, and are certified."""
+    places, rows = with_middles(OUTER)
+    places[27:] += [0.2, 0.1, -0.15]
+    (tmp_path / "curved.inp").write_text(nodes(places) + elements(rows, "S8"), encoding="ascii")
+    mesh = mesh_quad_surface(surface_from_file(tmp_path / "curved.inp"), order=2)
+    kept = {tuple(place) for place in mesh.points.round(9).tolist()}
+    assert {tuple(place) for place in places[np.unique(rows)].round(9).tolist()} <= kept
+    assert mesh.certificate.certified and mesh.report["curved as given"] == {"edges": 48, "reduced": 0}

@@ -244,7 +244,7 @@ def _group_sizes(found):
     faces, counts = np.unique(found.face_of_quad[found.face_of_quad > 0], return_counts=True)
     return {**{f"Face{face}": {"quads": int(count)} for face, count in zip(faces.tolist(), counts.tolist())},
             **{name: {"nodes": len(rows)} for name, rows in getattr(found, "node_groups", {}).items()},
-            **{name: {"quads": len(rows)} for name, rows in getattr(found, "groups", {}).items()}}
+            **{name: {"quads": len(rows)} for name, rows in getattr(found, "quad_groups", {}).items()}}
 
 
 def _group_lines(found):

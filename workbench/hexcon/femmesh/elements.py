@@ -182,9 +182,9 @@ def _face_numbers(mesh, n):
 
 
 def _groups_of(mesh, n_quads, n_points):
-    """({name: rows of quads}, {name: rows of points}) of a mesh-like object that has .groups, .node_groups."""
+    """({name: rows of quads}, {name: rows of points}) of a mesh-like object that has .quad_groups, .node_groups."""
     found = []
-    for attribute, count in (("groups", n_quads), ("node_groups", n_points)):
+    for attribute, count in (("quad_groups", n_quads), ("node_groups", n_points)):
         groups = {}
         for name, rows in (getattr(mesh, attribute, None) or {}).items():
             groups[str(name)] = rows = np.unique(np.asarray(rows, np.int64))

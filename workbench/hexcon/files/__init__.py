@@ -113,7 +113,7 @@ def read_hexes(path, *, progress=None, **lengths):
 
 
 def read_mesh(path, *, progress=None, **lengths):
-    """As read_hexes, as a mesh: .points, .hexes, .order, .quads, .face_of_quad, .groups, .node_groups, .notes, .counts.
+    """As read_hexes, as a mesh: .points, .hexes, .order, .quads, .face_of_quad, .quad_groups, .node_groups, .notes, .counts.
 
     quads (n,4) is the whole boundary, outward; face_of_quad (n,) the CAD face numbers that
     write() put into .inp, .msh, .vtu, .unv and .med (surfaces and groups Face1, Face2 ...),

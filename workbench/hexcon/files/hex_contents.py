@@ -54,21 +54,22 @@ def _refuse_curved_middles(path, points, hexes):
 
 
 def mesh_of(points, hexes, found=None):
-    """Mesh-like object: .points, .hexes, .order, .quads, .face_of_quad, .groups, .node_groups, .notes.
+    """Mesh-like object: .points, .hexes, .order, .quads, .face_of_quad, .quad_groups, .node_groups, .notes.
 
     quads (n,4) is the whole boundary, outward; face_of_quad (n,) the numbers of groups of quads called Face<number>;
-    groups {name: rows of quads} the other groups that lie on the boundary; node_groups {name: rows of points}. Quads of
+    quad_groups {name: rows of quads} the other groups that lie on the boundary; node_groups {name: rows of points}.
+    Quads of
     groups that no hex has on the boundary are left out, with a note.
     """
     mesh = SimpleNamespace(points=points, hexes=hexes, order=2 if hexes.shape[1] == 20 else 1, quads=None,
                            face_of_quad=None,
-                           report={}, certificate=None, groups={}, node_groups={}, notes=[])
+                           report={}, certificate=None, quad_groups={}, node_groups={}, notes=[])
     boundary = elements_of(mesh)
     mesh.quads, mesh.face_of_quad = boundary.quads[:, :4], boundary.face_of_quad.copy()
     if found is not None:
         mesh.notes += found.notes
         quads, nodes, lost = groups_on(mesh.quads, found, len(points))
-        mesh.groups, mesh.node_groups = take_cad_faces(quads, mesh.face_of_quad), nodes
+        mesh.quad_groups, mesh.node_groups = take_cad_faces(quads, mesh.face_of_quad), nodes
         if lost:
             mesh.notes.append(f"{lost} quads of groups are not on the boundary of the hexes, and are left out of them")
     return mesh

@@ -68,7 +68,7 @@ class _Named:
     def __init__(self, found):
         faces = {f"Face{number}": np.flatnonzero(found.face_of_quad == number)
                  for number in np.unique(found.face_of_quad[found.face_of_quad > 0]).tolist()}
-        self.quads = {name: found.quads[rows][:, :4] for name, rows in {**faces, **found.groups}.items()}
+        self.quads = {name: found.quads[rows][:, :4] for name, rows in {**faces, **found.quad_groups}.items()}
         self.nodes = dict(found.node_groups)
 
     def renumber(self, new):

@@ -10,6 +10,7 @@ import hexcon_native
 from hexcon_native import ErrorCode, HexconError
 
 from ..curving import curve
+from ..curving.given import curve_as_given
 from ..errors import FaultCode
 from ..quads import METHOD_TABLE as SURFACE_METHOD_TABLE, surface_from_solid
 from ..topological import is_topological
@@ -119,6 +120,8 @@ class Strategy:
         mesh = self._fill(surface, progress, deadline, last=True)
         if solid is not None:
             self._curve(mesh, solid, progress, deadline)
+        elif surface.middles is not None and self._options.get("order", 1) == 2 and not is_topological(mesh):
+            curve_as_given(mesh, *surface.middles, progress=limited(raising(progress), deadline))
         return mesh
 
     def _curve(self, mesh, solid, progress, deadline):
@@ -182,7 +185,7 @@ class Strategy:
             raise
         mesh.surface = surface
         mesh.face_of_quad = surface.face_of_quad
-        mesh.groups, mesh.node_groups = surface.groups, surface.node_groups
+        mesh.quad_groups, mesh.node_groups = surface.quad_groups, surface.node_groups
         mesh.report["surface method"] = surface.method
         mesh.report["surface notes"] = list(surface.notes)
         if surface.fit is not None:

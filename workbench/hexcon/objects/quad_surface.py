@@ -147,7 +147,7 @@ def to_quad_femmesh(surface):
         femmesh.addFace(nodes, face)
     for number in np.unique(surface.face_of_quad[surface.face_of_quad > 0]).tolist():
         add_group(femmesh, f"Face{number}", "Face", np.flatnonzero(surface.face_of_quad == number) + 1)
-    for name, rows in surface.groups.items():
+    for name, rows in surface.quad_groups.items():
         add_group(femmesh, name, "Face", rows + 1)
     for name, rows in surface.node_groups.items():
         add_group(femmesh, name, "Node", rows + 1)
@@ -179,7 +179,7 @@ def surface_of(obj):
             named[name] = np.array([rank[face] for face in members])
     groups = take_cad_faces(named, face_of_quad)
     return QuadSurface(points, quads, face_of_quad, obj.MethodUsed or "given", list(obj.Notes), obj.SizeUsed.Value,
-                       obj.Tried, unpacked(obj.Proposal), groups=groups, node_groups=node_groups)
+                       obj.Tried, unpacked(obj.Proposal), quad_groups=groups, node_groups=node_groups)
 
 
 def packed(proposal):

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
+from hexcon.femmesh.second_order import STRAIGHT
 from hexcon.files.cell_kinds import CORNERS, linear_kind
 from hexcon.files.hex_contents import groups_on, take_cad_faces
 from hexcon_native import ErrorCode, HexconError
@@ -21,6 +22,10 @@ _QUADS = {"tetra": (), "pyramid": ((0, 1, 2, 3),),
           "hexahedron": ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))}
 
 
+_MIDDLES = ("second-order elements: their mid-side points are dropped; at order 2 those of curved edges of quads come "
+            "back")
+
+
 def surface_of(found, merge_tolerance=None):
     """QuadSurface "given" of files.contents.Contents.
 
@@ -32,7 +37,7 @@ def surface_of(found, merge_tolerance=None):
     surface.given, with the cause in words.
     """
     cells, second = _linear(found.cells)
-    notes = [*found.notes, *(["second-order elements: their mid-side points are dropped"] if second else [])]
+    notes = [*found.notes, *([_MIDDLES] if second else [])]
     merge = seams.Merging(found.points, merge_tolerance)
     volumes = {k: c for k, c in cells.items() if k in _QUADS}
     if "quad" in cells:
@@ -115,9 +120,31 @@ def _grouped(surface, quads, same, found):
     moved.groups = [replace(group, rows=same[group.rows]) if group.kind in ("faces", "nodes") else group
                     for group in found.groups if group.kind in ("faces", "nodes") or group.kind in moved.cells]
     named, nodes, _ = groups_on(quads, moved, len(same))
-    surface.groups = take_cad_faces(named, surface.face_of_quad)
+    surface.middles = _middles(moved, points, found.points)
+    surface.quad_groups = take_cad_faces(named, surface.face_of_quad)
     for name, rows in nodes.items():
         rows = points[rows]
         if (rows >= 0).any():
             surface.node_groups[name] = np.unique(rows[rows >= 0])
     return surface
+
+
+def _middles(found, row_of_point, places):
+    """(ends (k,2), places (k,3)) of the edges of 8- and 9-node quads whose middle nodes lie off their middles; None:
+    none.
+
+    row_of_point (P,): the surface's row of each point of the file, -1 of none."""
+    tables = [found.cells[kind] for kind in ("quad8", "quad9") if kind in found.cells]
+    if not tables:
+        return None
+    quads = np.vstack([table[:, :8] for table in tables])
+    ends = np.stack([quads[:, :4], np.roll(quads[:, :4], -1, axis=1)], axis=-1).reshape(-1, 2)
+    middle = places[quads[:, 4:].reshape(-1)]
+    start, end = places[ends[:, 0]], places[ends[:, 1]]
+    curved = np.linalg.norm(middle - (start + end) / 2, axis=1) > STRAIGHT * np.linalg.norm(end - start, axis=1)
+    rows = np.sort(row_of_point[ends], axis=1)
+    curved &= rows[:, 0] >= 0
+    if not curved.any():
+        return None
+    rows, first = np.unique(rows[curved], axis=0, return_index=True)
+    return rows, middle[curved][first]

@@ -24,8 +24,9 @@ class QuadSurface:
     tried         how many surfaces of meshing.strategy.TRIES were tried before this one
     hexes         None, or a proposal as hexcon_native.mesh takes it: the hexes that the method has in mind inside the
                   quads, (H,8) int64, or (places of the points inside, hexes)
-    groups        {name: rows of quads} that the surface was given with, beside CAD faces; they may overlap
+    quad_groups   {name: rows of quads} that the surface was given with, beside CAD faces; they may overlap
     node_groups   {name: rows of points}
+    middles       None, or (ends (k,2), places (k,3)) of the curved edges of 8-node quads that it was given with
     fit           None, or how well the quads fit the solid that they were made on
     """
     points: np.ndarray
@@ -36,8 +37,9 @@ class QuadSurface:
     size: float = 0.0
     tried: int = 0
     hexes: "np.ndarray | tuple | None" = None
-    groups: dict = field(default_factory=dict)
+    quad_groups: dict = field(default_factory=dict)
     node_groups: dict = field(default_factory=dict)
+    middles: "tuple | None" = None
     fit: Fit | None = None
 
 

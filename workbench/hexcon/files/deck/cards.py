@@ -68,31 +68,37 @@ class _Cards:
 
     def read(self, path, chain):
         card = None
-        for number, text in self._lines(path, chain):
+        for source, number, text in self._items(path, chain):
             if isinstance(text, Card):
                 if card is not None:
                     yield card
-                card = None
-                if text.name == "INCLUDE":
-                    yield from self._included(text, chain + (os.path.realpath(path),))
-                    continue
                 card = text
-                if "INPUT" in card.parameters:
-                    self._take_input(card, chain + (os.path.realpath(path),))
-            elif card is not None:
-                card.lines.append((number, text))
-            else:
-                # after an *INCLUDE: data of the card before it, which the deck's author cut in two
-                raise ToolError(f"{path}, line {number}: a data line without a card before it: {text[:60]!r}",
+            elif card is None:
+                raise ToolError(f"{source}, line {number}: a data line without a card before it: {text[:60]!r}",
                                 FaultCode.FILE_FORMAT)
+            else:
+                if source != card.path:
+                    card.data_path = source
+                card.lines.append((number, text))
         if card is not None:
             yield card
 
-    def _included(self, card, chain):
-        name = card.value("INPUT")
-        if not name:
-            raise card.fault("it names no file: INPUT=... is missing")
-        yield from self.read(self._path_of(card, name, chain), chain)
+    def _items(self, path, chain):
+        """(file, line number, data line or Card); what is included stands in its place, be it cards, or more data of
+        the
+        card before."""
+        inner = chain + (os.path.realpath(path),)
+        for number, text in self._lines(path, chain):
+            if not isinstance(text, Card):
+                yield path, number, text
+            elif text.name == "INCLUDE":
+                if not text.value("INPUT"):
+                    raise text.fault("it names no file: INPUT=... is missing")
+                yield from self._items(self._path_of(text, text.value("INPUT"), inner), inner)
+            else:
+                if "INPUT" in text.parameters:
+                    self._take_input(text, inner)
+                yield path, number, text
 
     def _take_input(self, card, chain):
         """Data lines of another file, which come before the card's own."""

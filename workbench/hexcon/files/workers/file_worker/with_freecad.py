@@ -2,6 +2,8 @@
 """What only FreeCAD reads: .med (SMESH), documents, and shapes through OpenCASCADE."""
 import contextlib
 import os
+import re
+import tempfile
 
 import numpy as np
 
@@ -19,15 +21,54 @@ def _named():
         raise Refusal(fault.code.name, str(fault), fault.elements) from fault
 
 
+_MOST_NAMES = 400       # tried in a .med file
+_NO_MESHES = {b"ENS_MAA", b"FAS", b"MAI", b"NOE", b"COO", b"FAM", b"NUM", b"NOD", b"NOM", b"TREE", b"HEAP", b"SNOD", b"GRO",
+              b"ELEME", b"FAMILLE_ZERO", b"INFOS_GENERALES", b"CHA", b"PROFILS"}
+
+
+def _names_in(data):
+    """Texts in an HDF5 file that may be names of links: with their length before them, or ended by a NUL."""
+    found = {}
+    for run in re.finditer(rb"[ -.0-~]{1,80}", data):
+        start = run.start()
+        for at in (start, start + 1):
+            length = data[at - 1] if at else 0
+            word = data[at:at + length]
+            if 0 < length <= 64 and at + length <= run.end():
+                found[word] = None
+        if data[run.end():run.end() + 1] == b"\0" and len(run.group()) <= 64:
+            found[run.group()] = None
+    return [word for word in found if word not in _NO_MESHES]
+
+
+def _by_name(read, path):
+    """The mesh in a .med file: FreeCAD looks for one that is called like the file, and files are called otherwise.
+
+    So each text in the file that may be a name is tried, by a link of that name, until there is a mesh."""
+    femmesh = read(path)
+    if femmesh.NodeCount:
+        return femmesh
+    with open(path, "rb") as stream:
+        data = stream.read()
+    for word in _names_in(data)[:_MOST_NAMES]:
+        with tempfile.TemporaryDirectory(dir=os.getcwd()) as folder:
+            link = os.path.join(folder, word.decode("ascii").strip() + ".med")
+            try:
+                os.symlink(path, link)
+                found = read(link)
+            except Exception:
+                continue
+            if found.NodeCount:
+                return found
+    raise Refusal("FILE_FORMAT", "FreeCAD finds no mesh in it, by the name of the file or by any text in the file")
+
+
 def read_med(job):
     """The arrays of a mesh, VTK order, with its groups."""
     with _named():
         from hexcon.files.femmesh_contents import contents_of_femmesh
         from hexcon.freecad_compat import fem_module
-        femmesh = fem_module("Fem").read(job["file"])
-        if not femmesh.NodeCount:
-            raise Refusal("FILE_FORMAT", "FreeCAD finds no mesh in it: it looks for one that is called like the file, so "
-                          "give a renamed file its first name back")
+        femmesh = _by_name(fem_module("Fem").read, job["file"])
         found = contents_of_femmesh(femmesh)
     return mesh_arrays(found.points, list(found.cells.items()), [(g.name, g.kind, g.rows) for g in found.groups])
 
