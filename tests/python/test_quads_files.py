@@ -180,7 +180,7 @@ def test_nonsense(tmp_path, ending):
 
 def test_missing_and_unknown(tmp_path):
     assert _code(tmp_path / "none.msh") is FaultCode.FILE_IO
-    (tmp_path / "s.stl").write_text("solid", encoding="ascii")
+    (tmp_path / "s.xyz").write_text("solid", encoding="ascii")
     assert _code(tmp_path / "s.xyz") is FaultCode.FILE_FORMAT
 
 
