@@ -140,9 +140,10 @@ def test_what_make_run_runs(freecad, tmp_path):
     status, lines, errors = in_freecadcmd("resources/examples/run_bracket.py", tmp_path)
     assert status == 0 and "Traceback" not in errors
     said = "\n".join(lines)
-    for word in ("every Jacobian proved positive", "scaled Jacobian min 0.7", "von Mises",
+    for word in ("every Jacobian proved positive", "von Mises",
                  *(str(tmp_path / f"bracket{e}") for e in (".FCStd", ".inp", ".vtu", ".png"))):
         assert word in said
+    assert float(re.search(r"scaled Jacobian min ([\d.]+)", said).group(1)) > 0.7
     hexes, nodes = map(int, re.search(r"(\d+) hexes, (\d+) nodes, order 2", said).groups())
     written = read_mesh(tmp_path / "bracket.inp")
     assert (len(written.hexes), len(written.points), written.order) == (hexes, nodes, 2)

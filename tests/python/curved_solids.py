@@ -17,8 +17,6 @@ gmsh.write(sys.argv[2])
 SOLIDS = {
     "cylinder": "occ.addCylinder(0, 0, 0, 0, 0, 20, 10)",
     "ball": "occ.addSphere(0, 0, 0, 10)",
-    "pipe": "occ.cut([(3, occ.addCylinder(0, 0, 0, 0, 0, 10, 10))],"
-            " [(3, occ.addCylinder(0, 0, 0, 0, 0, 10, 9.6))])",
     # a barrel: a spline turned about the axis, so that neither its face nor its seam has a closed form
     "barrel": "points = [occ.addPoint(*p) for p in ((0, 0, 0), (8, 0, 0), (11, 0, 10), (8, 0, 20), (0, 0, 20))];"
               "lines = [occ.addLine(points[0], points[1]), occ.addSpline(points[1:4]),"
@@ -34,10 +32,8 @@ def write(name, path):
 
 
 def off(name, points):
-    """(n,) how far points are off the boundary of a solid, those of the cylinder or the pipe off its round sides."""
+    """(n,) how far points are off the boundary of a solid, those of the cylinder off its round side."""
     across = np.hypot(points[:, 0], points[:, 1])
     if name == "ball":
         return np.abs(np.linalg.norm(points, axis=1) - 10)
-    if name == "pipe":
-        return np.fmin(np.abs(across - 10), np.abs(across - 9.6))
     return np.abs(across - 10)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Order 2 on solids: the boundary's middle nodes lie on the CAD, and what would fold keeps part of its curvature."""
+import os
+
 import curved_solids
 import numpy as np
 import pytest
@@ -73,10 +75,51 @@ def test_surfaces_without_closed_forms(solids):
     assert abs(told["volume"] / told["cad_volume"] - 1) < 2e-3 and told["chord"] < 0.05
 
 
-def test_what_would_fold_keeps_part_of_its_curvature(solids):
-    """Few, long quads round a thin pipe: each outer arc alone would pass the inner wall."""
-    mesh = hexcon.mesh_solid(solids["pipe"], 5, order=2)
-    told = mesh.report["curved"]
-    assert mesh.certificate.certified
-    assert told["inner"] == 0 or told["reduced_count"] >= 0
-    assert curved_solids.off("pipe", mesh.points[np.unique(mesh.hexes[:, :8])]).max() < 1e-6
+def slab(layers, height):
+    """(points, hexes of order 2 with straight edges, middles of the bottom's two edges along x, those of bottom and
+    top): hexes on each other, with a square of side 2."""
+    levels = np.linspace(0.0, height * layers, layers + 1)
+    points = np.array([(x, y, z) for z in levels for x, y in ((0, 0), (2, 0), (2, 2), (0, 2))], float)
+    points, hexes = hn.raise_order(points, np.arange(8) + 4 * np.arange(layers)[:, None])
+    ends = points[hexes[:, 8:]]
+    bottom = np.unique(hexes[:, 8:][(ends[:, :, 2] == 0) & (ends[:, :, 0] == 1)])
+    held = np.unique(hexes[:, 8:][np.isin(ends[:, :, 2], (0.0, points[:, 2].max()))])
+    return points, hexes, bottom, held
+
+
+def bent_slab(layers, height, sag):
+    """What unfolding makes of a bottom that bulges into the slab, as the wall of a hole does."""
+    from curving_worker.unfolding import unfolded
+    points, hexes, bottom, held = slab(layers, height)
+    bend = np.zeros_like(points)
+    bend[bottom, 2] = sag
+    found = unfolded(points, hexes, bend, held, lambda *told: None)
+    quality = hn.quality(found.points, hexes).scaled_jacobian
+    straight = hn.quality(points, hexes).scaled_jacobian
+    assert (quality > 0).all() and (quality >= 0.0999 * straight).all()
+    corners = np.unique(hexes[:, :8])
+    assert (found.points[corners] == points[corners]).all()
+    return found, bottom
+
+
+@pytest.fixture
+def worker(monkeypatch):
+    monkeypatch.syspath_prepend(os.path.join(os.path.dirname(hexcon.__file__), "curving"))
+
+
+def test_what_does_not_fold_is_left_alone(worker):
+    found, bottom = bent_slab(1, 1.0, 0.3)
+    assert (found.factor == 1).all() and found.inner == 0 and (found.points[bottom, 2] == 0.3).all()
+
+
+def test_inner_edges_bend_before_curvature_is_given_up(worker):
+    """Thin layers under a bulge of thrice their thickness: the layers follow it."""
+    found, bottom = bent_slab(6, 0.1, 0.3)
+    assert (found.factor == 1).all() and found.inner > 0 and (found.points[bottom, 2] == 0.3).all()
+
+
+def test_what_folds_all_the_same_keeps_part_of_its_curvature(worker):
+    """One hex, whose opposite edges stay: a bulge through it is cut down to less than its thickness."""
+    found, bottom = bent_slab(1, 0.5, 1.0)
+    assert 0.3 < found.factor[0] < 0.5 and found.inner == 0
+    assert found.points[bottom, 2] == pytest.approx(found.factor[0])

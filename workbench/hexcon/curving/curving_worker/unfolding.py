@@ -8,9 +8,11 @@ import hexcon_native as hn
 
 from .boundary_edges import EDGES
 
-BENDS = (0.5, 0.9)      # what an inner edge takes over of its neighbours' bend
-ROUNDS = 12             # of taking over: it dies out within as many hexes
+BENDS = ((0.5, 2), (0.9, 3), (1.0, 6))      # what an inner edge takes over of its neighbours' bend, how far in
+ROUNDS = 30             # of taking over
 HALVINGS = 10           # so often the part of the curvature that a hex can keep is bisected
+PATIENCE = 20           # so often neighbours are asked again; then a hex that folds becomes straight
+LEAST = 0.1             # part of its scaled Jacobian with straight edges that a hex must keep, or it counts as folded
 
 
 @dataclass
@@ -28,17 +30,19 @@ def unfolded(points, hexes, bend, boundary, progress):
 
     points (P,3) with straight edges, hexes (H,20) all positive then;  bend (P,3): how far the middle nodes `boundary`
     are to move, 0 of the others;  progress: callable(stage, part)
-    First the bend alone; where hexes fold, inner edges near them take over part of the bend of the edges beside them,
-    if fewer hexes fold then; what is left keeps the largest part of its curvature, by bisection, that is proved.
+    First the bend alone; where hexes fold (are not proved positive, or all but fold: see LEAST), inner edges near them
+    take over part of the bend of the edges beside them, if fewer hexes fold then; what is left keeps the largest part
+    of its curvature, by bisection, with which it does not.
     """
-    folded = _folded(points + bend, hexes)
+    least = LEAST * hn.quality(points, hexes).scaled_jacobian
+    folded = _folded(points + bend, hexes, least)
     inner = 0
     if len(folded):
-        near = _near(hexes, folded, len(points))
-        for part in BENDS:
+        alone, first = bend, folded
+        for part, rings in BENDS:
             progress("unfold", 0.2)
-            tried = _spread(hexes[near], bend, boundary, part)
-            still = _folded(points + tried, hexes)
+            tried = _spread(hexes[_near(hexes, first, len(points), rings)], alone, boundary, part)
+            still = _folded(points + tried, hexes, least)
             if len(still) < len(folded):
                 bend, folded = tried, still
                 inner = int((np.abs(bend).sum(1) > 0).sum() - (np.abs(bend[boundary]).sum(1) > 0).sum())
@@ -46,23 +50,27 @@ def unfolded(points, hexes, bend, boundary, progress):
                 break
     factor = np.ones(len(hexes))
     scale = np.ones(len(points))
-    while len(folded):
+    for turn in range(10 * PATIENCE):
+        if not len(folded):
+            break
         progress("unfold", 0.5)
-        kept = _largest(points, hexes[folded], bend * scale[:, None])
+        kept = np.zeros(len(folded)) if turn >= PATIENCE else \
+            _largest(points, hexes[folded], bend * scale[:, None], least[folded])
         factor[folded] *= kept
         np.minimum.at(scale, hexes[folded, 8:], scale[hexes[folded, 8:]] * kept[:, None])
-        folded = _folded(points + bend * scale[:, None], hexes)
+        folded = _folded(points + bend * scale[:, None], hexes, least)
     return Unfolded(points + bend * scale[:, None], factor, inner)
 
 
-def _folded(points, hexes):
-    """Rows of hexes that are not proved positive; their topology is not looked at."""
-    return hn.certify(points, hexes, np.empty((0, 4), int)).nonpositive.astype(int)
+def _folded(points, hexes, least):
+    """Rows of hexes that are not proved positive, or worse than least (H,)."""
+    found = hn.quality(points, hexes).scaled_jacobian
+    return np.flatnonzero((found <= 0.0) | (found < least))
 
 
-def _near(hexes, folded, count):
-    """Rows of the hexes that have a node of a folded one, and of those next to them."""
-    for _ in range(2):
+def _near(hexes, folded, count, rings):
+    """Rows of the hexes that have a node of a folded one, and so on, so many times."""
+    for _ in range(rings):
         touched = np.zeros(count, bool)
         touched[hexes[folded]] = True
         folded = np.flatnonzero(touched[hexes].any(axis=1))
@@ -98,14 +106,14 @@ def _spread(hexes, bend, boundary, part):
     return bend
 
 
-def _largest(points, hexes, bend):
-    """(n,) the part of its bend with which each hex is positive by itself; nearly the largest, 0 of none."""
+def _largest(points, hexes, bend, least):
+    """(n,) the part of its bend with which each hex by itself does not fold; nearly the largest, 0 of none."""
     good, bad = np.zeros(len(hexes)), np.ones(len(hexes))
     alone = np.arange(20 * len(hexes)).reshape(-1, 20)
     straight, moved = points[hexes], bend[hexes]
     for _ in range(HALVINGS):
         tried = (good + bad) / 2
-        folded = _folded((straight + tried[:, None, None] * moved).reshape(-1, 3), alone)
+        folded = _folded((straight + tried[:, None, None] * moved).reshape(-1, 3), alone, least)
         wrong = np.zeros(len(hexes), bool)
         wrong[folded] = True
         bad[wrong], good[~wrong] = tried[wrong], tried[~wrong]
