@@ -20,6 +20,7 @@
 # make measured  bench, compare, parts and csg, one after the other (hours), and docs/measured.md from their results
 # make fuzz    libFuzzer on the core's calls, with the sanitizers (clang); FUZZ_SECONDS: how long, FUZZ_RUNS: how often
 # make build   the core alone, in place
+# make link    the core, and a link to this folder where FreeCAD looks for addons, which differs between its versions
 # FREECADCMD and PYTHON may name another FreeCAD and its interpreter.
 
 FREECADCMD ?= freecadcmd
@@ -35,7 +36,7 @@ sources = $(shell git ls-files 'hexcon_native/*.[ch]' 'tests/native/*.[ch]' 'exa
             find hexcon_native tests/native examples -name '*.[ch]')
 native = $(wildcard hexcon_native/src/*/*.c hexcon_native/src/*/*/*.c)
 
-.PHONY: run test build bench bench-window compare compare-optimizer parts csg solids scoreboard grid-beside measured gallery screenshots setup-run setup-test setup-lint setup-fuzz \
+.PHONY: run test build link bench bench-window compare compare-optimizer parts csg solids scoreboard grid-beside measured gallery screenshots setup-run setup-test setup-lint setup-fuzz \
   lint lint-c lint-python lint-shell sanitized-build native-test hostile-test python-test fuzz clean
 
 run: setup-run build
@@ -52,6 +53,13 @@ build:
 	@[ -f $(build)/build.ninja ] || cmake -S hexcon_native -B $(build) -G Ninja \
 	  -DPython3_EXECUTABLE=$(python) >/dev/null
 	@ninja -C $(build) --quiet
+
+link: build
+	@folder=$$($(FREECADCMD) scripts/mod_folder.py </dev/null 2>/dev/null | sed -n 's/^FREECAD_MOD=//p') && [ -n "$$folder" ] || \
+	  { echo "HexCon: $(FREECADCMD) does not tell where it looks for addons" >&2; exit 1; }; \
+	if [ -e "$$folder/HexCon" ] && [ ! "$$folder/HexCon" -ef . ]; then \
+	  echo "HexCon: $$folder/HexCon is there already and is another folder: take it away first" >&2; exit 1; fi; \
+	mkdir -p "$$folder" && ln -sfn "$(CURDIR)" "$$folder/HexCon" && echo "HexCon: $$folder/HexCon; start FreeCAD anew"
 
 # Not of make test: another version of a linter, or of a compiler, may find more, and that is no fault of who builds.
 lint: setup-lint lint-c lint-python lint-shell

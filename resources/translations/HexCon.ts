@@ -53,6 +53,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>displacement, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawn × {factor}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{method} (topology only)</source>
         <translation type="unfinished"></translation>
     </message>

@@ -11,7 +11,9 @@ import quads_solids  # noqa: E402
 from quads_checks import assert_closed_even_outward, assert_on_faces  # noqa: E402
 from quads_solids import FreeCAD, Part, Vector  # noqa: E402
 
+import hexcon  # noqa: E402
 from hexcon.errors import FaultCode, ToolError  # noqa: E402
+from hexcon.gui import actions  # noqa: E402
 from hexcon.quads import surface_from_object, surface_from_solid  # noqa: E402
 
 SOLIDS = {name: maker for name, (maker, _, _) in quads_solids.BRIEF.items()}
@@ -137,6 +139,23 @@ def test_two_solids_in_a_document(tmp_path):
     FreeCAD.closeDocument(document.Name)
     fault = _fault(path)
     assert fault.code is FaultCode.BAD_SHAPE and "Left" in str(fault) and "Right" in str(fault)
+
+
+def test_a_mesh_in_a_document_is_no_solid(tmp_path):
+    """From 1.0 on a FEM mesh object has a property Shape, the link to its solid."""
+    from hexcon.femmesh import add_to_document
+    document = FreeCAD.newDocument()
+    box = document.addObject("Part::Box", "Box")
+    document.recompute()
+    made = add_to_document(document, hexcon.mesh_solid(box.Shape, 5.0), box)
+    again = actions.make_quad_surface(made)
+    assert again.Quads == 24 and surface_from_object(made).method == "given"
+    with pytest.raises(hexcon.ToolError, match="0 solids"):
+        actions.mesh_solid_object(made, 5.0)
+    path = str(tmp_path / "meshed.FCStd")
+    document.saveAs(path)
+    FreeCAD.closeDocument(document.Name)
+    assert len(surface_from_solid(path, 5.0).quads) == 24
 
 
 class TestObjects:

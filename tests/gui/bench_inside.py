@@ -8,7 +8,7 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 from PySide import QtGui
-from session import close_panel, find, open_panel, run, say, select, settle, wait, words
+from session import close_panel, find, open_panel, run, say, see_all, select, settle, wait, words
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from hex_grids import block, distorted  # noqa: E402
@@ -39,8 +39,7 @@ def a_large_mesh():
     made = doc.addObject("Fem::FemMeshObject", "Grid")
     made.FemMesh = hexcon.to_femmesh(distorted(block(N, N, N, (46.0, 46.0, 46.0)), 0.25))
     FreeCADGui.activateWorkbench("HexConWorkbench")
-    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
-    FreeCADGui.SendMsgToActiveView("ViewFit")
+    see_all()
     settle()
     say(f"{made.FemMesh.HexaCount} hexes")
     select(made)

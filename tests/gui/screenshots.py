@@ -9,7 +9,22 @@ import subprocess
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
-from session import OUT, button, close_panel, find, is_idle, mesh, open_panel, run, say, select, settle, wait, words
+from session import (
+    OUT,
+    button,
+    close_panel,
+    find,
+    is_idle,
+    mesh,
+    open_panel,
+    run,
+    say,
+    see_all,
+    select,
+    settle,
+    wait,
+    words,
+)
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 WIDTH, HEIGHT = 1200, 820
@@ -29,8 +44,7 @@ def shoot(name):
 
 def see():
     """All of it, from the usual side, and nothing green because it is selected."""
-    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
-    FreeCADGui.SendMsgToActiveView("ViewFit")
+    see_all()
     FreeCADGui.Selection.clearSelection()
     settle()
 

@@ -7,7 +7,7 @@ import sys
 import FreeCAD
 import FreeCADGui
 from PySide import QtGui
-from session import OUT, button, close_panel, find, open_panel, picture, run, say, select, settle, wait, words
+from session import OUT, button, close_panel, find, open_panel, picture, run, say, see_all, select, settle, wait, words
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / folder) for folder in ("", "python")]
 from crossing_meshes import arms, moved, two  # noqa: E402
@@ -56,8 +56,7 @@ def a_surface_that_crosses_itself_is_imported():
     assert surface.Quads == len(made.quads) and surface.Even, surface.Quads
     assert "pairs of quads cross or touch" in surface.Embedded, surface.Embedded
     select(surface)
-    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
-    FreeCADGui.SendMsgToActiveView("ViewFit")
+    see_all()
 
 
 def its_pairs_are_drawn_in_red():
@@ -88,8 +87,7 @@ def two_blocks_at_one_place():
     made = doc.addObject("Fem::FemMeshObject", "Twice")
     made.FemMesh = to_femmesh(SimpleNamespace(points=points, hexes=hexes), 1)
     doc.recompute()
-    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
-    FreeCADGui.SendMsgToActiveView("ViewFit")
+    see_all()
     select(made)
     FreeCADGui.runCommand("HexCon_Quality")
     say(doc.QualityReport.Certificate)

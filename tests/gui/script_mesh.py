@@ -19,6 +19,7 @@ from session import (
     picture,
     run,
     say,
+    see_all,
     select,
     settle,
     start_macro,
@@ -53,9 +54,7 @@ def commands_know_the_selection():
     box, cylinder = doc.addObject("Part::Box", "Box"), doc.addObject("Part::Cylinder", "Cylinder")
     cylinder.Radius, cylinder.Height, cylinder.Placement.Base.x = 5, 20, 30
     doc.recompute()
-    view = FreeCADGui.ActiveDocument.ActiveView
-    view.viewIsometric()
-    FreeCADGui.SendMsgToActiveView("ViewFit")
+    see_all()
 
     def active(name="HexCon_MeshSolid"):
         return FreeCADGui.Command.get(name).isActive()
@@ -356,7 +355,7 @@ def check(mesh_object):
 def red_pixels():
     """How many pixels of the 3D view are more red than anything FreeCAD draws there itself."""
     path = os.path.join(OUT, "view.png")
-    FreeCADGui.ActiveDocument.ActiveView.fitAll()
+    see_all()
     settle()
     FreeCADGui.ActiveDocument.ActiveView.saveImage(path, 400, 300, "White")
     picture = QtGui.QImage(path)

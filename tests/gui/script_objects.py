@@ -7,6 +7,7 @@ import time
 
 import FreeCAD
 import FreeCADGui
+import numpy as np
 from mouse import Mouse
 from PySide import QtCore, QtGui
 from session import OUT, button, close_panel, find, held_at, open_panel, picture, run, say, select, settle, wait, words
@@ -29,6 +30,8 @@ def colours(name):
     shares = {"red": lambda c: c.red() > 150 and c.green() < 80 and c.blue() < 80,
               "blue": lambda c: c.blue() > 90 and c.red() < 90 and c.green() < 90,
               "yellow": lambda c: c.red() > 200 and 150 < c.green() < 225 and c.blue() < 120,
+              "green": lambda c: c.green() > 120 and c.red() < 60 and c.blue() < 60,
+              "grey": lambda c: 100 < c.red() < 220 and max(c.getRgb()[:3]) - min(c.getRgb()[:3]) < 12,
               "dark": lambda c: c.red() < 80 and c.green() < 80 and c.blue() < 90,
               "drawn": lambda c: c != QtGui.QColor("white")}
     return {kind: sum(map(test, pixels)) / len(pixels) for kind, test in shares.items()}
@@ -288,11 +291,83 @@ def from_an_empty_document_to_displacements():
     assert "Solved" in words(), words()
     say(words(), clicks, "clicks", axis.currentText())
     picture("solved.png")
-    seen = colours("displacement.png")
-    assert seen["red"] > 0.001 and seen["blue"] > 0.005 and seen["drawn"] > 0.05, seen
+    the_displacements_are_seen(doc)
     assert clicks <= 12
     close_panel()
     assert [o for o in doc.Objects if o.isDerivedFrom("Fem::FemAnalysis")]
+
+
+def the_displacements_are_seen(doc):
+    """In colours from blue to red and no grey, with a legend from 0 to the largest."""
+    seen = colours("displacement.png")
+    assert seen["red"] > 0.001 and seen["blue"] > 0.005 and seen["drawn"] > 0.05, seen
+    assert seen["green"] > 0.005 and seen["grey"] < 0.002, seen
+    (result,) = [o for o in doc.Objects if o.isDerivedFrom("Fem::FemResultObject")]
+    figures, bar = legend_of(result.Mesh), beside_the_body("displacement.png")
+    say("legend", figures, "largest", max(result.DisplacementLengths))
+    assert figures[0] == 0.0 and abs(figures[-1] / max(result.DisplacementLengths) - 1) < 1e-2, figures
+    assert np.ptp(np.diff(figures)) < 1e-2 * figures[-1]
+    # from above to below: red, yellow, green, cyan, blue
+    for place, colour in enumerate(((255, 0, 0), (255, 255, 0), (0, 255, 0), (0, 255, 255), (0, 0, 255))):
+        height = min(int(place / 4 * len(bar)), len(bar) - 1)
+        assert np.abs(bar[height] - colour).max() < 30, (place, bar[height])
+
+
+def legend_of(mesh_object):
+    """The legend's figures, as they stand in the scene, from the lowest place up."""
+    from pivy import coin
+    (switch,) = [child for child in mesh_object.ViewObject.RootNode.getChildren()
+                 if child.getName() == "HexConLegend"]
+    assert switch.whichChild.getValue() == mesh_object.ViewObject.SwitchNode.whichChild.getValue() >= 0
+    search = coin.SoSearchAction()
+    search.setType(coin.SoText2.getClassTypeId())
+    search.setInterest(coin.SoSearchAction.ALL)
+    search.apply(switch)
+    found = search.getPaths()
+    texts = [coin.cast(found[k].getTail(), "SoText2").string[0].getString() for k in range(found.getLength())]
+    return [float(text) for text in texts if text.replace(".", "").replace("e-", "").isdigit()]
+
+
+def beside_the_body(name):
+    """(h, 3) colours of the legend's bar from above to below."""
+    image = QtGui.QImage(os.path.join(OUT, name))
+    middle = round((1 - 0.9475) / 2 * image.width())  # the bar's place in legend.py
+    column = np.array([QtGui.QColor(image.pixel(middle, y)).getRgb()[:3] for y in range(image.height())])
+    vivid = np.flatnonzero(np.ptp(column, axis=1) > 200)
+    return column[vivid.min():vivid.max() + 1]
+
+
+def one_mesh_is_inspected():
+    """After solving: the mesh, and not that of the results as well."""
+    doc = document()
+    select(doc.HexMesh)
+    open_panel("HexCon_Inspect")
+    wait(words, "the mesh to be shown")
+    FreeCADGui.Selection.clearSelection()
+    picture("inspect_solved.png")
+    (result,) = [o for o in doc.Objects if o.isDerivedFrom("Fem::FemResultObject")]
+    shown = [o.Label for o in doc.Objects if any(map(o.isDerivedFrom, ("Fem::FemMeshObject", "Fem::FemPostObject")))
+             and o.ViewObject.SwitchNode.whichChild.getValue() >= 0]
+    assert shown == [], shown  # but for what Inspect draws
+    both = colours("inspected.png")
+    from hexcon.gui import inside
+    assert inside.drawings.find(doc.HexMesh) and both["drawn"] > 0.05 and both["green"] == 0, both
+    close_panel()
+    assert result.Mesh.ViewObject.SwitchNode.whichChild.getValue() >= 0
+
+
+def quads_are_taken_from_a_mesh():
+    """Whose Shape is a link to its solid from 1.0 on, and no shape."""
+    doc = document()
+    select(doc.HexMesh)
+    open_panel("HexCon_QuadSurface")
+    assert not find(QtGui.QAbstractSpinBox, "size")
+    button("mesh").click()
+    wait(idle, "the quads")
+    made = doc.Objects[-1]
+    assert made.Quads > 100 and made.Source == doc.HexMesh and "an even number" in words(), words()
+    close_panel()
+    doc.removeObject(made.Name)
 
 
 def the_mesh_goes_into_an_analysis():
@@ -315,6 +390,18 @@ def fem_has_the_menu_and_preferences_the_page():
     bar = FreeCADGui.getMainWindow().menuBar()
     menus = [action for action in bar.actions() if action.objectName() == "HexConInFem"]
     assert len(menus) == 1 and len(menus[0].menu().actions()) == 12
+    first = menus[0].menu().actions()[0]
+    members = [action.text() for action in first.menu().actions()]
+    assert first.text() == "Examples" and len(members) == 10 and members[:2] == ["Box", "Wedge"], members
+    FreeCADGui.Selection.clearSelection()
+    menus[0].menu().aboutToShow.emit()
+    first.menu().aboutToShow.emit()
+    enabled = [action.text() for action in menus[0].menu().actions() if action.isEnabled()]
+    assert enabled == ["Examples", "Import quad surface"], enabled
+    before = list(FreeCAD.listDocuments())
+    first.menu().actions()[1].trigger()
+    assert len(FreeCAD.listDocuments()) == len(before) + 1 and document().Objects[0].Name == "Wedge"
+    assert [action.text() for action in menus[0].menu().actions()[1:3]] == ["Quad surface", "Import quad surface"]
     FreeCADGui.activateWorkbench("HexConWorkbench")
     settle()
     assert not [action for action in bar.actions() if action.objectName() == "HexConInFem"]
@@ -339,5 +426,5 @@ def no_traceback_was_shown():
 run(an_example_is_opened, quads_are_previewed_then_made, a_cancelled_mesh_leaves_no_trace, the_quads_are_filled,
     a_double_click_changes_the_mesh, the_quality_is_an_object, faults_mark_their_quads,
     a_recompute_meshes_anew_and_can_be_cancelled, saved_and_reloaded, older_documents_open, a_full_disk_loses_nothing,
-    from_an_empty_document_to_displacements, the_mesh_goes_into_an_analysis,
-    fem_has_the_menu_and_preferences_the_page, no_traceback_was_shown)
+    from_an_empty_document_to_displacements, one_mesh_is_inspected, quads_are_taken_from_a_mesh,
+    the_mesh_goes_into_an_analysis, fem_has_the_menu_and_preferences_the_page, no_traceback_was_shown)

@@ -8,6 +8,7 @@ import threading
 import time
 import traceback
 
+import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
@@ -52,6 +53,12 @@ def picture(name):
     subprocess.run(["import", "-window", "root", os.path.join(OUT, name)], check=True)
 
 
+def see_all():
+    """All of the active document, from a corner."""
+    from hexcon import freecad_compat
+    freecad_compat.see_all(FreeCADGui.ActiveDocument.ActiveView)
+
+
 def select(thing, part=""):
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(thing.Document.Name, thing.Name, part)
@@ -91,7 +98,9 @@ def start_macro(name="recorded"):
 
 
 def stop_macro():
-    FreeCADGui.runCommand("Std_MacroStopRecord")
+    """By its own command, or by the one that begins (1.1)."""
+    known = FreeCADGui.listCommands()
+    FreeCADGui.runCommand("Std_MacroStopRecord" if "Std_MacroStopRecord" in known else "Std_DlgMacroRecord")
 
 
 def is_idle():
@@ -166,9 +175,11 @@ def called_topological():
 
 
 def leave(status):
-    """FreeCAD's own way out after success."""
+    """FreeCAD's own way out after success. From 1.0 on it asks whether to save what has changed."""
     if status:
         os._exit(status)
+    for name in FreeCAD.listDocuments() if int(FreeCAD.Version()[0]) >= 1 else ():
+        FreeCADGui.getDocument(name).Modified = False
     QtGui.QApplication.quit()
 
 

@@ -15,6 +15,8 @@ from hexcon.errors import FaultCode, ToolError
 DEBIAN_LIB = "/usr/lib/freecad-python3/lib"
 DEBIAN_HOME = "/usr/lib/freecad"
 
+DRAWN_BY_FEM = ("Fem::FemMeshObject", "Fem::FemPostObject")  # what of an analysis fills the 3D view
+
 
 def _on_path(folder):
     # at the end: FreeCAD's folders hold modules with common names
@@ -97,13 +99,30 @@ def add_mesh_object(doc, name, solid):
     return mesh_object
 
 
+def shape_of(obj):
+    """The Part.Shape of a document object, or None of one without: a FEM mesh object of 1.0 and later has a property
+    Shape too, which is the link to its solid."""
+    shape = getattr(obj, "Shape", None)
+    return shape if hasattr(shape, "Solids") else None
+
+
 def solid_of_mesh_object(mesh_object):
     """The linked solid, or None."""
     for link in ("Shape", "Part"):
         solid = getattr(mesh_object, link, None)
-        if solid is not None and hasattr(solid, "Shape"):
+        if solid is not None and shape_of(solid) is not None:
             return solid
     return None
+
+
+def see_all(view):
+    """All that a 3D view shows, from a corner, at once: 1.0 and later turn the camera little by little, and a view
+    that is fitted while it turns is fitted to nothing."""
+    turns = view.isAnimationEnabled()
+    view.setAnimationEnabled(False)
+    view.viewIsometric()
+    view.fitAll()
+    view.setAnimationEnabled(turns)
 
 
 @contextmanager

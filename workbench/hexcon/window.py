@@ -5,7 +5,7 @@ Nothing below the window imports it: its parts are named here, as FreeCAD names 
 """
 import importlib
 
-VIEWS, WAITING = "hexcon.gui.views", "hexcon.gui.waiting"
+VIEWS, WAITING, DISPLACEMENT = "hexcon.gui.views", "hexcon.gui.waiting", "hexcon.gui.displacement"
 
 
 def is_shown(obj):
@@ -27,3 +27,8 @@ def wait_for(job, obj):
 def waiting():
     """function(job, name) -> job's result, with a progress dialog. Only where there is a window."""
     return importlib.import_module(WAITING).run
+
+
+def show_displacement(result_object):
+    """Draw a result's mesh bent, coloured by displacement; returns the factor. Only where there is a window."""
+    return importlib.import_module(DISPLACEMENT).show(result_object)

@@ -88,7 +88,8 @@ static bool solve_on_plane(const programme *p, size_t tight, double (*scratch[DI
   memcpy(objective, p->objective, sizeof p->objective);
   objective[n] = 0;
   eliminate(n, objective, plane, pivot, reduced);
-  memcpy(lower.objective, reduced, (size_t)(n - 1) * sizeof *reduced);
+  for (int d = 0; d < n - 1; d++)
+    lower.objective[d] = reduced[d];
   double partial[DIMENSIONS];
   if (!solve(&lower, scratch, partial))
     return false;

@@ -11,8 +11,6 @@ from hexcon.calculix.material import material_of
 from hexcon.errors import FaultCode, ToolError
 from hexcon.topological import refuse_topological
 
-SHOWN = 0.1  # of the model's diagonal: how large the largest displacement is drawn
-
 
 def into_analysis(mesh_object, *, allow_topological=False):
     """Put a hex mesh object into the active analysis; without one, make it, with a CalculiX
@@ -87,22 +85,9 @@ def load_and_solve(mesh_object, held, force, *, allow_topological=False):
 
 
 def show_displacement(result_object):
-    """Colour the result's mesh by displacement, blue to red, and draw it bent; returns the factor.
+    """Colour the result's mesh by displacement, blue to red with a legend in mm, and draw it bent; returns the factor.
 
-    The largest displacement is drawn as a tenth of the model's size. A matter of the view alone.
+    The largest displacement is drawn as a tenth of the model's size. What would lie over it is hidden. A matter of the
+    view alone; needs FreeCAD's window.
     """
-    mesh_object = result_object.Mesh
-    view, lengths = mesh_object.ViewObject, result_object.DisplacementLengths
-    numbers = list(result_object.NodeNumbers)
-    for other in mesh_object.Document.Objects:
-        if hasattr(other, "ViewObject") and (other.isDerivedFrom("Fem::FemMeshObject") or hasattr(other, "Shape")):
-            other.ViewObject.Visibility = other == mesh_object
-    box = mesh_object.FemMesh.BoundBox
-    largest = max(lengths, default=0.0)
-    factor = SHOWN * box.DiagonalLength / largest if largest > 0.0 else 0.0
-    # FreeCAD's scale has zero in its green middle: shifted, nothing is blue and the largest red
-    view.setNodeColorByScalars(numbers, [2.0 * length - largest for length in lengths])
-    view.setNodeDisplacementByVectors(numbers, list(result_object.DisplacementVectors))
-    view.applyDisplacement(factor)
-    view.Visibility = True
-    return factor
+    return window.show_displacement(result_object)

@@ -56,8 +56,6 @@ def _load_surface(name):
 def _show(made):
     """Seen from a corner, fitted, and selected for the next command."""
     import FreeCADGui
-    view = FreeCADGui.getDocument(made.Document.Name).ActiveView
-    view.viewIsometric()
-    view.fitAll()
+    freecad_compat.see_all(FreeCADGui.getDocument(made.Document.Name).ActiveView)
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(made)

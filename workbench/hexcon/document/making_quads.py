@@ -36,7 +36,8 @@ def make_quad_surface(source, size=None, *, method="auto", local_sizes=(), per_t
     hexcon.quads.surface_from_solid and surface_from_object.
     """
     if size is None:
-        size = default_size(source.Shape) if hasattr(source, "Shape") else 1.0
+        shape = freecad_compat.shape_of(source)
+        size = 1.0 if shape is None else default_size(shape)
     settings = {"source": source, "size": float(size), "method": method,
                 "local_sizes": written(local_sizes), "per_turn": int(per_turn)}
     return _new_quad_surface(source.Document, settings)

@@ -48,7 +48,7 @@ def add_to_document(doc, mesh, solid_object, name="HexMesh", order=None, *,
     its label and in the property Topological. One undo step; on any error the document is as it
     was. Raises ToolError: FREECAD_MISSING, BAD_MESH, BAD_OPTION, BAD_SHAPE, TOPOLOGICAL_MESH.
     """
-    if solid_object is not None and not hasattr(solid_object, "Shape"):
+    if solid_object is not None and freecad_compat.shape_of(solid_object) is None:
         raise ToolError(f"{getattr(solid_object, 'Label', solid_object)!r} has no shape; "
                         "give the solid the mesh was made from", FaultCode.BAD_SHAPE)
     # may fail: before the document is touched

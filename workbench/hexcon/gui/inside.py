@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The inside of a hex mesh in the 3D view: whole hexes, coloured by scaled Jacobian."""
 from hexcon.femmesh.hexahedron import EDGES
-from hexcon.freecad_compat import solid_of_mesh_object
+from hexcon.freecad_compat import DRAWN_BY_FEM, shape_of
 from hexcon.inspection.faces import edges_of_quads
 from hexcon.inspection.opening import Opening
 from hexcon.pictures.palette import quality_colours
@@ -26,8 +26,7 @@ class Inside(Drawing):
     """
 
     def __init__(self, mesh_object, mesh):
-        solid = solid_of_mesh_object(mesh_object)
-        super().__init__(mesh_object, [solid] if solid is not None else [])
+        super().__init__(mesh_object, _in_the_way_of(mesh_object))
         self.mesh = mesh
         self._colours = quality_colours(mesh.scaled_jacobian)
         self.faces = Faces()
@@ -55,6 +54,16 @@ class Inside(Drawing):
         """Move the camera to the hex with this number."""
         row = self.mesh.row_of(element)
         look_at(self.mesh_object.Document, self.mesh.points[self.mesh.hexes[row]])
+
+
+def _in_the_way_of(mesh_object):
+    """What is at the mesh's place: its solid and its quads, and the other meshes and results of its analysis."""
+    near = {thing.Name: thing for thing in mesh_object.OutListRecursive}
+    for analysis in mesh_object.InListRecursive:
+        if analysis.isDerivedFrom("Fem::FemAnalysis"):
+            near.update({thing.Name: thing for thing in analysis.OutListRecursive})
+    return [thing for thing in near.values() if thing != mesh_object and (
+        any(map(thing.isDerivedFrom, DRAWN_BY_FEM)) or shape_of(thing) is not None)]
 
 
 def show(mesh_object, mesh, opening, element=None):

@@ -9,6 +9,7 @@ from PySide import QtGui
 from hexcon import preferences
 from hexcon.document.making_quads import default_size
 from hexcon.document.prepared import prepared
+from hexcon.freecad_compat import shape_of
 from hexcon.judging import words
 from hexcon.objects import quad_surface
 from hexcon_native import HexconError
@@ -37,7 +38,7 @@ class SurfacePanel(Panel):
         rows = QtGui.QFormLayout()
         rows.setHorizontalSpacing(4)
         about = self.about()
-        solid = hasattr(self.source, "Shape")
+        solid = shape_of(self.source) is not None
         rows.addRow(translate("HexCon", "From"), QtGui.QLabel(_origin(about, self.source)))
         size = about.Size.Value if self.edited else default_size(about.Shape) if solid else 1.0
         self.size, self.method = size_box(size, self._outdated), method_box()
@@ -59,7 +60,7 @@ class SurfacePanel(Panel):
         return button
 
     def _settings(self):
-        if not hasattr(self.source, "Shape"):
+        if shape_of(self.source) is None:
             return {}
         return {"size": float(self.size.property("rawValue")), "method": self.method.currentData()}
 

@@ -5,6 +5,7 @@ from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh import to_femmesh
 from hexcon.femmesh.document import mark_topological
 from hexcon.femmesh.element_types import CHOICES as ELEMENT_CHOICES, PROPERTY as ELEMENT_TYPE
+from hexcon.freecad_compat import shape_of
 from hexcon.inspection.stages import counts_of
 from hexcon.meshing import Strategy
 from hexcon.meshing.strategy import is_worth_another
@@ -64,8 +65,8 @@ def job_of(surface, method="auto", layers=0, order=1, budget=0.0, allow_topologi
                         local_sizes=list(surface.LocalSizes), per_turn=surface.PerTurn)
     held = surface_of(surface)
     mark = mark_of(held, method, layers, order, budget, pillow=pillow)
-    if not (try_other_surfaces and hasattr(surface.Source, "Shape")):
-        solid = solid_shape(surface.Source) if order == 2 and hasattr(surface.Source, "Shape") else None
+    if not (try_other_surfaces and shape_of(surface.Source) is not None):
+        solid = solid_shape(surface.Source) if order == 2 and shape_of(surface.Source) is not None else None
         return mark, lambda progress: strategy.of_surface(held, progress=progress, solid=solid)
     shape, size, first = solid_shape(surface.Source), surface.Size.Value, held if held.tried == 0 else None
     if surface.Proxy.fault is not None:     # the quads are those of older inputs
@@ -141,7 +142,7 @@ def add_hex_mesh(document, mesh, surface_object, settings, name="HexMesh"):
     settings  job_of's arguments, without the surface. No transaction of its own.
     """
     solid = surface_object.Source
-    obj = new_mesh_object(document, name, solid if hasattr(solid, "Shape") else None, HexMeshObject, "HexMeshView")
+    obj = new_mesh_object(document, name, solid if shape_of(solid) is not None else None, HexMeshObject, "HexMeshView")
     set_settings(obj, {**settings, "surface": surface_object})
     obj.Proxy.take(obj, mesh, mark_of(surface_of(surface_object), **settings))
     obj.purgeTouched()

@@ -212,7 +212,7 @@ def add_quad_surface(document, surface, mark, settings, name="QuadSurface"):
     No transaction of its own: see hexcon.gui.actions.
     """
     solid = settings.get("source")
-    obj = new_mesh_object(document, name, solid if hasattr(solid, "Shape") else None,
+    obj = new_mesh_object(document, name, solid if freecad_compat.shape_of(solid) is not None else None,
                           QuadSurfaceObject, "QuadSurfaceView")
     set_settings(obj, settings)
     obj.Proxy.take(obj, surface, mark_of_try(mark, surface.tried))

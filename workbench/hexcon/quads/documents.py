@@ -2,6 +2,7 @@
 """Quad surfaces from objects of FreeCAD documents."""
 from hexcon.errors import FaultCode, ToolError
 from hexcon.files.femmesh_contents import contents_of_femmesh
+from hexcon.freecad_compat import shape_of
 
 from .cells import surface_of
 
@@ -21,7 +22,7 @@ def surface_from_object(obj):
         raise ToolError(f"{name} is a FreeCAD mesh of {count} triangles; such a mesh cannot hold quads. Make a quad "
                         "mesh of the solid with hexcon.quads (Part, Create shape from mesh, if there is no solid), "
                         "or read the quads from their file into a FEM mesh", FaultCode.NOT_ALL_QUAD)
-    if hasattr(obj, "Shape"):
+    if shape_of(obj) is not None:
         raise ToolError(f"{name} is a solid, not a mesh: use surface_from_solid with its Shape",
                         FaultCode.BAD_OPTION)
     raise ToolError(f"{name} has neither a mesh nor a shape", FaultCode.BAD_OPTION)

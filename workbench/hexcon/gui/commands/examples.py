@@ -45,6 +45,7 @@ class Examples:
     """The examples behind one button."""
 
     name = "HexCon_Examples"
+    members = EXAMPLES
 
     def GetResources(self):
         return {"MenuText": QT_TRANSLATE_NOOP("HexCon_Examples", "Examples"),
@@ -53,7 +54,7 @@ class Examples:
                 "Pixmap": icon_path("HexCon_Examples.svg")}
 
     def GetCommands(self):
-        return tuple(example.name for example in EXAMPLES)
+        return tuple(example.name for example in self.members)
 
     def GetDefaultCommand(self):
         return 0

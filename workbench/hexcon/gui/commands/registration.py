@@ -4,6 +4,7 @@ import os
 
 import FreeCAD
 import FreeCADGui
+from PySide import QtGui
 
 from .examples import EXAMPLES, Examples
 from .place import ROOT
@@ -44,8 +45,27 @@ def add_menu_to_fem(workbench):
     register()
     menu = bar.addMenu("HexCon")
     menu.menuAction().setObjectName("HexConInFem")
-    for name in NAMES:
-        menu.addActions(FreeCADGui.Command.get(name).getAction()[:1])
+    for command in COMMANDS:
+        _add_entry(menu, command)
+
+
+def _add_entry(menu, command):
+    """A command's entry; of a group, a menu of its members.
+
+    Entries of our own: FreeCAD has none before a command's first toolbar is there, and those of a group are its
+    members'.
+    """
+    said = command.GetResources()
+    icon, text = QtGui.QIcon(said["Pixmap"]), FreeCAD.Qt.translate(command.name, said["MenuText"])
+    if hasattr(command, "members"):
+        inner = menu.addMenu(icon, text)
+        for member in command.members:
+            _add_entry(inner, member)
+        return
+    entry = menu.addAction(icon, text)
+    entry.setToolTip(FreeCAD.Qt.translate(command.name, said["ToolTip"]))
+    entry.triggered.connect(lambda *_: FreeCADGui.runCommand(command.name))
+    menu.aboutToShow.connect(lambda: entry.setEnabled(bool(command.IsActive())))
 
 
 def join_freecad():
