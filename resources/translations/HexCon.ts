@@ -889,6 +889,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>layers and boxes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>solids of layers but for round holes and bosses across them, each in a box with layers of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>grid</source>
         <translation type="unfinished"></translation>
     </message>

@@ -30,6 +30,9 @@ class FaultCode(enum.Enum):
     NOT_LAYERED = ("solid not layered", "surface method layered found no direction in which every face lies across it, "
                    "along it, or is seen from it everywhere, or no good mesh along one", "CAD faces at fault",
                    "take another size, another surface method, or auto")
+    NOT_BOXED = ("solid not boxed", "surface method boxed found no direction in which only round holes and bosses lie "
+                 "across the layers, or no good mesh along one", "CAD faces at fault",
+                 "take another size, another surface method, or auto")
     NOT_GRIDDED = ("solid not gridded", "surface method grid found no grid that takes up all of the solid's features "
                    "and is certified", "CAD faces at fault", "take a smaller size, as the message says, another "
                    "surface method, or auto")

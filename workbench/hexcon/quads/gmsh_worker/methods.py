@@ -57,15 +57,18 @@ _ROWS = (
     SurfaceMethod("layered", "layers", "solids whose faces lie across one direction or along it, or are seen from it: "
                   "plates with bosses, pockets, steps, holes", "layered.tries.layered_surface", ("timeout", "care"), turn=4,
                   refusal="NOT_LAYERED", refused="not layered", leaves_out=True, filled_by="proposal"),
+    SurfaceMethod("boxed", "layers and boxes", "solids of layers but for round holes and bosses across them, each in a box "
+                  "with layers of its own", "boxed.tries.boxed_surface", ("timeout", "care"), turn=5,
+                  refusal="NOT_BOXED", refused="not boxed", filled_by="proposal"),
     SurfaceMethod("grid", "grid", "any solid whose features are not much smaller than the elements: a grid of hexes that "
-                  "takes them up", "grid.tries.grid_surface", ("timeout", "care", "sizes"), turn=5, refused="not gridded",
+                  "takes them up", "grid.tries.grid_surface", ("timeout", "care", "sizes"), turn=6, refused="not gridded",
                   spares_volume=True, filled_by="proposal"),
     # Hexes inside: 3 a quad on triangles, 10 to 22, and worse ones, where there are coarse quads.
     SurfaceMethod("subdivided", "subdivided quads", "any solid: gmsh's quads and triangles, each cut about its middle",
-                  "whole.whole_surface", ("method", "sizes"), turn=7, leaves_out=True, filled_by="diced", hexes_a_quad=10),
+                  "whole.whole_surface", ("method", "sizes"), turn=8, leaves_out=True, filled_by="diced", hexes_a_quad=10),
     SurfaceMethod("subdivided-triangles", "subdivided triangles",
                   "any solid: gmsh's triangles, each cut into three quads", "triangles.triangle_surface", ("care", "sizes"),
-                  turn=6, refused="no subdivided triangles", leaves_out=True, filled_by="diced", hexes_a_quad=3,
+                  turn=7, refused="no subdivided triangles", leaves_out=True, filled_by="diced", hexes_a_quad=3,
                   diced_first=True),
     SurfaceMethod("blossom", "blossom", "any solid, by luck: gmsh's triangles, paired to quads; few and even ones",
                   "whole.whole_surface", ("method", "sizes"), filled_by="shelling", hexes_a_quad=4),

@@ -62,15 +62,27 @@ def layered_surface(solid, size, link, timeout, care=0):
     if not directions:
         raise WorkerFault("NOT_LAYERED", "no direction in which every face lies across it, along it, or is seen from "
                           f"it: {refused}")
+    best, faults = search(directions, lambda direction, factor: judged(
+        shape, layered_mesh(shape, direction, size * factor, link), direction, factor), begun + SHARE * timeout)
+    if best is None:
+        raise WorkerFault("NOT_LAYERED", "; ".join(faults) or "no time left")
+    return surface_of(best, faults, "layered")
+
+
+def search(directions, attempt, end):
+    """(The best Layered, or None; what stands against others, in words).
+
+    attempt: callable (direction, part of the size) -> Layered, may raise NotLayered; end: of processor time
+    """
     best, faults, hopeless = None, [], set()
     for factor in FACTORS:
         for number, direction in enumerate(directions):
             if number in hopeless:
                 continue
-            if time.process_time() - begun > SHARE * timeout:
+            if time.process_time() > end:
                 break
             try:
-                found = _layered(shape, direction, size * factor, factor, link)
+                found = attempt(direction, factor)
             except NotLayered as fault:
                 faults.append(f"along {named(direction)} at {factor:g} of the size: {fault}")
                 hopeless |= {number} if fault.faces else set()
@@ -83,9 +95,7 @@ def layered_surface(solid, size, link, timeout, care=0):
                 break
         if best is not None and best.enough(POOR):
             break
-    if best is None:
-        raise WorkerFault("NOT_LAYERED", "; ".join(faults) or "no time left")
-    return _surface(best, faults)
+    return best, faults
 
 
 def _directions(shape):
@@ -114,9 +124,8 @@ def named(direction):
     return "(" + ", ".join(f"{x:.3g}" for x in direction) + ")"
 
 
-def _layered(shape, direction, size, factor, link):
-    """The Layered along one direction. Raises NotLayered."""
-    mesh = layered_mesh(shape, direction, size, link)
+def judged(shape, mesh, direction, factor):
+    """The Layered of an extrude.LayeredMesh, whose inner points it improves."""
     mesh.points = hn.optimize(mesh.points, mesh.hexes, threads=1)
     proof = hn.certify(mesh.points, mesh.hexes, mesh.quads)
     return Layered(mesh, hn.quality(mesh.points, mesh.hexes), bool(proof.certified), _volume(mesh) / shape.volume - 1.0,
@@ -140,10 +149,11 @@ def _shortcomings(found):
     return [f"along {named(found.direction)} at {found.factor:g} of the size: " + ", ".join(words)] if words else []
 
 
-def _surface(found, faults):
+def surface_of(found, faults, name, what=""):
+    """What a maker of surfaces returns, of a Layered; name: of the surface method; what: there is beside layers."""
     mesh = found.mesh
     part = "" if found.factor == 1.0 else f" at {found.factor:g} of the size"
     return {"points": mesh.points, "quads": mesh.quads, "faces": mesh.faces, "hexes": mesh.hexes,
-            "notes": [f"layered along {named(found.direction)}{part}: {mesh.levels} levels, {mesh.rings} layers, "
+            "notes": [f"{name} along {named(found.direction)}{part}: {what}{mesh.levels} levels, {mesh.rings} layers, "
                       f"{len(mesh.hexes)} hexes; volume {100 * found.volume:+.2f} %",
-                      *(f"layered: {fault}" for fault in faults)]}
+                      *(f"{name}: {fault}" for fault in faults)]}

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A solid along one direction: what boxes round its cross features leave, then what is in each box, then all as one."""
+import contextlib
+import os
+import tempfile
+
+import gmsh
+
+from ..fault import WorkerFault
+from ..layered.extrude import LayeredMesh
+from ..layered.fault import NotLayered
+from ..layered.mesh import Standing
+from ..layered.roles import Shape
+from . import parts, seam
+from .box import ROOMS, box_round
+from .features import features
+from .whole import cad_faces, joined
+
+MOST_ROUNDS = 5     # of finding lines that meet boxes: each is a cut of the solid
+
+
+def boxed_mesh(shape, skin, direction, size, link):
+    """The extrude.LayeredMesh of a roles.Shape, its inner points not yet improved; flat: of the part that is worst.
+
+    skin: whole.Skin of the solid. Raises NotLayered.
+    """
+    told, across = [], features(shape, direction, shape.roles(direction))
+    for room in ROOMS:
+        try:
+            return _with_boxes(shape, skin, [box_round(f, shape, size, room) for f in across], direction, size, link)
+        except NotLayered as fault:
+            told.append(str(fault))
+    raise NotLayered("; ".join(dict.fromkeys(told)))
+
+
+def _with_boxes(shape, skin, boxes, direction, size, link):
+    near = 10 * shape.solid.tolerance
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "solid.brep")
+        gmsh.write(path)
+        for number, box in enumerate(boxes, 1):
+            with _told(f"box {number}"):
+                _own_stations(path, box, size)
+        with _told("outside of the boxes"):
+            rest, rows = _rest(path, boxes, direction, size, link)
+        pieces = []
+        for number, (box, across) in enumerate(zip(boxes, rows), 1):
+            with _told(f"box {number}"):
+                pieces += [(box, mesh) for mesh in _pieces(path, box, rest, across, size, link)]
+    points, hexes, quads, owner = joined(rest, pieces, skin, near)
+    faces = cad_faces(shape, skin, points, quads, owner, near)
+    flats = [mesh.flat for mesh in [*rest, *(mesh for _, mesh in pieces)]]
+    return LayeredMesh(points, hexes, quads, faces, sum(m.rings for m in rest), sum(m.levels for m in rest),
+                       min(flats, key=lambda flat: flat.limit), rest[0].plane)
+
+
+@contextlib.contextmanager
+def _told(where):
+    """Faults of parts name the place, and none of their faces: they have other numbers than the solid's."""
+    try:
+        yield
+    except NotLayered as fault:
+        raise NotLayered(f"{where}: " + ("it is not layered itself" if fault.faces else str(fault))) from fault
+    except WorkerFault as fault:
+        raise NotLayered(f"{where}: Open CASCADE makes no sound solid of it ({fault.code})") from fault
+
+
+def _own_stations(path, box, size):
+    with parts.inside(path, box, box.corners()) as solids:
+        for solid in solids:
+            for along in seam.own_stations(box, Standing(Shape(solid, size), box.feature.axis, size)).values():
+                box.add_station(along)
+
+
+def _rest(path, boxes, direction, size, link):
+    """([LayeredMesh] of what boxes leave, [places across each box]); boxes get stations where its lines meet them."""
+    for _ in range(MOST_ROUNDS):
+        with parts.outside(path, boxes) as solids:
+            standings = [Standing(Shape(solid, size), direction, size) for solid in solids]
+            if any([seam.add_lines(box, standing) for box in boxes for standing in standings]):
+                continue
+            layers = seam.layers_beside(boxes, standings, size)
+            rows = [seam.rows_of(box, standings) for box in boxes]
+            return [standing.mesh(link, seam.strip_counts(boxes, rows, standing, size), of_part)
+                    for standing, of_part in zip(standings, layers)], rows
+    raise NotLayered("lines go on meeting boxes in new places")
+
+
+def _pieces(path, box, rest, rows, size, link):
+    """[LayeredMesh] of what is in a box, with the nodes of the rest on its sides."""
+    outline, closed = seam.outline(box, rest, rows, size)
+    with parts.inside(path, box, outline) as solids:
+        standings = [Standing(Shape(solid, size), box.feature.axis, size) for solid in solids]
+        return [s.mesh(link, seam.ones(box, s, closed), seam.layers_along(box, s, size)) for s in standings]

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Surface method boxed: directions and sizes are tried until hexes come out that are certified and good."""
+import time
+
+from ..fault import WorkerFault
+from ..layered.fault import NotLayered
+from ..layered.roles import Role, Shape
+from ..layered.tries import DIRECTIONS, SHARE, judged, search, surface_of
+from .features import features
+from .mesh import boxed_mesh
+from .whole import Skin
+
+TRIED = 2           # directions
+MOST_CROSS = 0.5    # part of the area that features across the layers may have
+MOST_FEATURES = 24
+
+
+def boxed_surface(solid, size, link, timeout, care=0):
+    """Quads on a solid that is layered but for round holes and bosses across the layers.
+
+    timeout: seconds for all of the surface; care: above 0 another size was tried before, with smaller ones
+    Returns a dict of points (V,3), quads (n,4), faces (n,), hexes (H,8) and notes. Raises WorkerFault NOT_BOXED.
+    """
+    if care:
+        raise WorkerFault("NOT_BOXED", "boxes were tried at larger sizes, down to parts of this one")
+    begun = time.process_time()
+    shape = Shape(solid, size)
+    directions, against = _directions(shape)
+    if not directions:
+        raise WorkerFault("NOT_BOXED", f"no direction in which only round holes and bosses lie across: {against}")
+    skin = Skin(solid)
+    best, faults = search(directions, lambda direction, factor: judged(
+        shape, boxed_mesh(shape, skin, direction, size * factor, link), direction, factor), begun + SHARE * timeout)
+    if best is None:
+        raise WorkerFault("NOT_BOXED", "; ".join(faults) or "no time left")
+    boxes = len(features(shape, best.direction, shape.roles(best.direction)))
+    return surface_of(best, faults, "boxed", f"{boxes} box{'es' * (boxes > 1)}, ")
+
+
+def _directions(shape):
+    """(Directions to try: those with least area across; what stands against others.)"""
+    found, against = [], []
+    area = {f: shape.solid.area(f) for f in shape.solid.faces}
+    for direction in shape.directions(DIRECTIONS):
+        roles = shape.roles(direction)
+        part = sum(area[f] for f, role in roles.items() if role is Role.NONE) / sum(area.values())
+        try:
+            across = features(shape, direction, roles)
+        except NotLayered as fault:
+            against.append(str(fault))
+            continue
+        if 0 < len(across) <= MOST_FEATURES and part < MOST_CROSS:
+            found.append((round(part, 6), len(found), direction))
+    found.sort(key=lambda row: row[:2])
+    return [d for *_, d in found][:TRIED], "; ".join(against[:3]) or "none lies across"
