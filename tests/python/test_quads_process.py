@@ -56,7 +56,15 @@ def _fault(*arguments, **options):
     return caught.value
 
 
-@pytest.mark.parametrize("method", METHODS)
+NOT_FOR_BOXES = {"revolved": FaultCode.NOT_REVOLVED, "boxed": FaultCode.NOT_BOXED}
+
+
+@pytest.mark.parametrize("method", NOT_FOR_BOXES)
+def test_box_by_methods_for_other_solids(box, temporary, method):
+    assert _fault(box, 1.9, method).code is NOT_FOR_BOXES[method]
+
+
+@pytest.mark.parametrize("method", [method for method in METHODS if method not in NOT_FOR_BOXES])
 def test_box_by_every_method(box, temporary, method):
     surface = surface_from_solid(box, 1.9, method)
     assert len(surface.quads) % 2 == 0 and set(surface.face_of_quad) == set(range(1, 7))
