@@ -13,10 +13,11 @@ sys.path[:0] = [ROOT, os.path.join(ROOT, "workbench")]
 
 import hexcon_native as hn  # noqa: E402
 from hexcon.errors import FaultCode  # noqa: E402
+from hexcon.files.formats import FORMATS  # noqa: E402
 from hexcon.quads import METHOD_TABLE as SURFACE_METHODS  # noqa: E402
 from hexcon.stage_words import HEX_STAGES, STAGES  # noqa: E402
 
-FILES = ("docs/methods.md", "docs/errors.md", "hexcon_native/__init__.pyi")
+FILES = ("docs/methods.md", "docs/errors.md", "docs/files.md", "hexcon_native/__init__.pyi")
 
 
 def table(heads, rows):
@@ -85,13 +86,20 @@ def fault_codes():
                   for code in FaultCode])
 
 
+def formats():
+    """Format, endings, what is read and by whom, what is written, what is lost."""
+    return table(("format", "endings", "read", "by", "written", "lost"),
+                 [(row.name, " ".join(f"`{ending}`" for ending in row.endings), row.read or "-", row.reader or "-",
+                   row.written or "-", row.lost or "-") for row in FORMATS])
+
+
 def stub_codes():
     return [f"    {code.name} = {code.value}" for code in hn.ErrorCode]
 
 
 BLOCKS = {"methods": methods, "method facts": method_facts, "auto": auto_order, "surface methods": surface_methods,
           "stages": stages, "hex stages": hex_stages, "error codes": error_codes, "fault codes": fault_codes,
-          "ErrorCode": stub_codes}
+          "ErrorCode": stub_codes, "formats": formats}
 _BLOCK = re.compile(r"(?P<begin>^[^\n]*\bbegin (?P<name>[\w ]+?)(?: -->)?\n)(?P<body>.*?)"
                     r"(?P<end>^[^\n]*\bend (?P=name)\b)",
                     re.MULTILINE | re.DOTALL)

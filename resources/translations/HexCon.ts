@@ -1327,6 +1327,17 @@
     </message>
 </context>
 <context>
+    <name>HexCon_Repair</name>
+    <message>
+        <source>Repair hex mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another mesh beside the selected one: hexes in reversed node order turned, unused points dropped, inverted hexes untangled; its boundary and groups stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>HexCon_Solve</name>
     <message>
         <source>Hold, load and solve</source>

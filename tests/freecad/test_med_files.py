@@ -9,6 +9,7 @@ import pytest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "python"))
 from deck_texts import GRID, OUTER  # noqa: E402
+from hex_grids import block  # noqa: E402
 from quad_figures import volume_of  # noqa: E402
 
 from hexcon.quads import surface_from_file  # noqa: E402
@@ -31,3 +32,16 @@ def test_quads_with_groups(freecad, tmp_path, name):
     assert len(surface.quads) == 24 and np.isclose(volume_of(surface.points, surface.quads), 6000)
     assert {key: len(rows) for key, rows in surface.quad_groups.items()} == {"in let": 3}
     assert surface.points[surface.node_groups["corner"]].tolist() == [[0, 0, 0]]
+
+
+def test_check_and_solve_take_documents(freecad, tmp_path, capsys):
+    """A .FCStd that HexCon wrote: its mesh object, with the CAD faces."""
+    import Part
+
+    from hexcon import files
+    from hexcon.cli import main
+    box = block(2, 2, 2, (10.0, 20.0, 30.0))
+    files.write(box, tmp_path / "m.FCStd", solid=Part.makeBox(10, 20, 30))
+    assert main(["check", str(tmp_path / "m.FCStd")]) == 0
+    assert main(["solve", str(tmp_path / "m.FCStd"), "--fixed", "Face5", "--force", "Face6=0,0,100"]) == 0
+    assert "deflection" in capsys.readouterr().out

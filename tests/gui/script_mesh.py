@@ -42,7 +42,7 @@ def workbench_has_its_commands():
     FreeCADGui.activateWorkbench("HexConWorkbench")
     assert FreeCADGui.activeWorkbench().name() == "HexConWorkbench"
     bars = FreeCADGui.getMainWindow().findChildren(QtGui.QToolBar, "HexCon")
-    assert len(bars) == 1 and len(bars[0].actions()) == 12
+    assert len(bars) == 1 and len(bars[0].actions()) == 13
     assert all(not action.icon().isNull() for action in bars[0].actions())
     assert not FreeCADGui.getMainWindow().findChild(QtGui.QMessageBox, "HexConMissingCore")
     workbench = FreeCADGui.listWorkbenches()["HexConWorkbench"]

@@ -210,7 +210,7 @@ def test_output_that_cannot_be_written_leaves_nothing(tmp_path):
 
 
 def test_interrupt(monkeypatch, capsys):
-    def interrupted(*_):
+    def interrupted(*_, **__):
         raise KeyboardInterrupt
     monkeypatch.setattr(cli.commands, "read_mesh", interrupted)
     assert cli.program(["check", "x.inp"]) == 130

@@ -310,3 +310,14 @@ def test_curved_edges_of_given_quads_come_back(tmp_path):
     kept = {tuple(place) for place in mesh.points.round(9).tolist()}
     assert {tuple(place) for place in places[np.unique(rows)].round(9).tolist()} <= kept
     assert mesh.certificate.certified and mesh.report["curved as given"] == {"edges": 48, "reduced": 0}
+
+
+def test_every_ending_is_in_the_table_of_formats():
+    from hexcon.files import READERS, WRITERS
+    from hexcon.files.formats import FORMATS
+    listed = [ending for row in FORMATS for ending in row.endings]
+    assert len(listed) == len(set(listed)) and set(listed) == set(READERS) | set(WRITERS)
+    for row in FORMATS:
+        assert bool(row.read) == any(ending in READERS for ending in row.endings), row.name
+        surfaces_only = row.name in ("Wavefront", "Medit")
+        assert bool(row.written) == (any(ending in WRITERS for ending in row.endings) or surfaces_only), row.name

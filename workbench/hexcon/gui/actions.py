@@ -13,6 +13,7 @@ from hexcon.document.example_documents import EXAMPLES, open_example
 from hexcon.document.exporting import export_hex_mesh
 from hexcon.document.making_hexes import make_hex_mesh, make_quality_report, mesh_solid_object, update_hex_mesh
 from hexcon.document.making_quads import default_size, import_quad_surface, make_quad_surface, update_quad_surface
+from hexcon.document.repairing import repair_hex_mesh
 
 from .looking import (
     hide_inside,
@@ -28,5 +29,5 @@ from .looking import (
 __all__ = ["EXAMPLES", "CheckReport", "check_mesh_object", "default_size", "export_hex_mesh", "hide_inside",
            "hide_loops", "import_quad_surface", "inspect_mesh_object", "into_analysis", "load_and_solve", "loops_of_object",
            "make_hex_mesh", "make_quad_surface", "make_quality_report", "mark_hexes", "mesh_solid_object",
-           "open_example", "show_displacement", "show_inside", "show_loops", "update_hex_mesh", "update_quad_surface",
+           "open_example", "repair_hex_mesh", "show_displacement", "show_inside", "show_loops", "update_hex_mesh", "update_quad_surface",
            "zoom_to_hex"]

@@ -51,6 +51,17 @@ class Quality(CallCommand):
     selected = staticmethod(selected_hex_mesh)
 
 
+class Repair(CallCommand):
+    """Makes a repaired mesh beside the selected one."""
+
+    name, call, icon = "HexCon_Repair", "repair_hex_mesh", "HexCon_Repair.svg"
+    menu_text = QT_TRANSLATE_NOOP("HexCon_Repair", "Repair hex mesh")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "HexCon_Repair", "Another mesh beside the selected one: hexes in reversed node order turned, unused points "
+        "dropped, inverted hexes untangled; its boundary and groups stay")
+    selected = staticmethod(selected_hex_mesh)
+
+
 class IntoAnalysis(CallCommand):
     """Puts the selected mesh into an analysis."""
 

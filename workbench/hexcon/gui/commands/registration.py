@@ -9,11 +9,11 @@ from PySide import QtGui
 from .examples import EXAMPLES, Examples
 from .place import ROOT
 from .preferences import PreferencesPage
-from .recorded import Export, Import, IntoAnalysis, Quality
+from .recorded import Export, Import, IntoAnalysis, Quality, Repair
 from .with_panel import Check, HexMesh, Inspect, Loops, MeshSolid, QuadSurface, Solve
 
 COMMANDS = (Examples(), QuadSurface(), Import(), HexMesh(), MeshSolid(), Check(), Inspect(), Loops(),
-            Quality(), Export(), IntoAnalysis(), Solve())
+            Quality(), Repair(), Export(), IntoAnalysis(), Solve())
 NAMES = [command.name for command in COMMANDS]
 _registered = []
 
