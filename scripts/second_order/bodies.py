@@ -18,7 +18,7 @@ def pipe(occ):
 
 def elbow(occ):
     """A bent pipe: an annulus turned by a quarter."""
-    rings = [occ.addCurveLoop([occ.addCircle(20, 0, 0, r, zAxis=[0, 0, 1])]) for r in (6, 4)]
+    rings = [occ.addCurveLoop([occ.addCircle(20, 0, 0, r)]) for r in (6, 4)]
     occ.revolve([(2, occ.addPlaneSurface(rings))], 0, 0, 0, 0, 1, 0, TURN / 4)
 
 

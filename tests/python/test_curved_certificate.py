@@ -1,11 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """hn.certify of hexes with 20 nodes: against an exact judge that shares no code, and case by case."""
+import re
+import subprocess
+import sys
+from pathlib import Path
+
 import curved_judge
+import gmsh_judge
 import numpy as np
 import pytest
 from mesh_checker import CORNERS
 
 import hexcon_native as hn
+from hexcon.femmesh.node_orders import HEX20
+
+ROOT = Path(__file__).parents[2]
 
 NO_QUADS = np.empty((0, 4), int)
 CUBE = np.array([[0, 1, 2, 3, 4, 5, 6, 7]])
@@ -70,3 +79,29 @@ def test_the_mesh_of_order_2_is_proved_with_its_own_nodes():
     points, quads = CORNERS.astype(float), SIDES
     mesh = hn.mesh(points, quads, order=2)
     assert mesh.certificate.certified and mesh.hexes.shape == (1, 20)
+
+
+def test_as_gmsh_finds(tmp_path):
+    """gmsh bounds the least Jacobian by Bernstein coefficients as well, without a bound on its rounding."""
+    nodes = curved_judge.random_hexes(np.random.default_rng(9), 1500)
+    np.save(tmp_path / "nodes.npy", nodes.astype(float))
+    subprocess.run([sys.executable, gmsh_judge.__file__, str(tmp_path / "nodes.npy"), str(tmp_path / "least.npy")],
+                   check=True, timeout=120)
+    least = np.load(tmp_path / "least.npy")
+    certificate = hn.certify(nodes.reshape(-1, 3), np.arange(20 * len(nodes)).reshape(-1, 20), NO_QUADS)
+    positive = np.ones(len(nodes), bool)
+    positive[certificate.nonpositive] = False
+    sure = np.abs(least) > 1e-9
+    assert (positive[sure] == (least[sure] > 0)).all() and 0.2 < positive.mean() < 0.8
+    assert not positive[~sure & (curved_judge.signs(nodes) < 0)].any()      # where gmsh has 1e-17 for zero
+
+
+def test_table_of_node_orders():
+    """The page's rows are the code's, and gmsh's follows from the ends of its edges."""
+    page = (ROOT / "docs" / "methods.md").read_text(encoding="utf-8")
+    for name, words in (("VTK", "VTK_QUADRATIC"), ("CalculiX, Abaqus", "CalculiX and Abaqus"), ("Exodus II", "Exodus"),
+                        ("gmsh, files of .msh", "gmsh, element"), ("FreeCAD (SMESH)", "FreeCAD"), ("UNV 116", "UNV")):
+        row = next(line for line in page.splitlines() if line.startswith("|") and words in line)
+        assert [int(n) for n in re.findall(r"\d+", row.split("|", 2)[2])] == HEX20[name]
+        assert sorted(HEX20[name]) == list(range(20))
+    assert HEX20["gmsh, files of .msh"] == gmsh_judge.TO_GMSH

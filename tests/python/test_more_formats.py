@@ -306,7 +306,9 @@ def test_curved_edges_of_given_quads_come_back(tmp_path):
     places, rows = with_middles(OUTER)
     places[27:] += [0.2, 0.1, -0.15]
     (tmp_path / "curved.inp").write_text(nodes(places) + elements(rows, "S8"), encoding="ascii")
-    mesh = mesh_quad_surface(surface_from_file(tmp_path / "curved.inp"), order=2)
+    surface = surface_from_file(tmp_path / "curved.inp")
+    mesh = mesh_quad_surface(surface, order=2)
+    assert {tuple(place) for place in surface.middles[1].tolist()} <= {tuple(p) for p in mesh.points.tolist()}
     kept = {tuple(place) for place in mesh.points.round(9).tolist()}
     assert {tuple(place) for place in places[np.unique(rows)].round(9).tolist()} <= kept
     assert mesh.certificate.certified and mesh.report["curved as given"] == {"edges": 48, "reduced": 0}

@@ -7,6 +7,8 @@ import hexcon_native
 from .curving_worker.boundary_edges import BoundaryEdges
 from .curving_worker.unfolding import unfolded
 
+_ROUNDING = 1e-14
+
 
 def curve_as_given(mesh, ends, middles, progress=None):
     """Move the middle nodes of a mesh's boundary, in place, to where a surface of 8-node quads had them.
@@ -29,6 +31,9 @@ def curve_as_given(mesh, ends, middles, progress=None):
     told = progress or (lambda *_: None)
     found = unfolded(mesh.points, mesh.hexes, bend, boundary.middle, told)
     mesh.points[:] = found.points
+    off = np.linalg.norm(found.points[nodes] - middles[there], axis=1)
+    kept = off <= _ROUNDING * np.abs(middles).max(initial=0)
+    mesh.points[nodes[kept]] = middles[there][kept]     # bit for bit
     mesh.report["curved as given"] = {"edges": int(there.sum()), "reduced": int((found.factor < 1.0).sum())}
     if mesh.certificate is not None:
         mesh.certificate = hexcon_native.certify(mesh.points, mesh.hexes, mesh.quads)

@@ -11,11 +11,11 @@ from hexcon.labels import rows_of
 from hexcon.topological import refuse_topological
 
 from .elements import elements_of
+from .node_orders import HEX20
 
 # FreeCAD (SMESH) numbers a hexahedron the other way round: entry k is the VTK node that
 # stands at FreeCAD's place k. In VTK order ccx ends with "nonpositive jacobian".
-FREECAD_HEX = [0, 3, 2, 1, 4, 7, 6, 5,
-               11, 10, 9, 8, 15, 14, 13, 12, 16, 19, 18, 17]
+FREECAD_HEX = HEX20["FreeCAD (SMESH)"]
 _GROUP = re.compile(r"^Face(\d{1,9})$")
 
 

@@ -9,9 +9,10 @@ import io
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
+from hexcon.femmesh.node_orders import HEX20
 
 EXODUS_SIDE = np.array([5, 6, 1, 2, 3, 4])      # of the rows of hexahedron.FACES
-EXODUS_HEX = {1: np.arange(8), 2: np.r_[0:12, 16:20, 12:16]}    # edges of the top come last there
+EXODUS_HEX = {1: HEX20["Exodus II"][:8], 2: HEX20["Exodus II"]}
 NAME, LINE = 33, 81     # characters of a name and of a line, with the NUL that ends them
 MOST_BYTES = 2 ** 32 - 4    # of a variable, in netCDF's format with offsets of 64 bits
 

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """.unv: I-DEAS universal file, datasets 2411 (nodes), 2412 (elements), 2467 (groups)."""
+from hexcon.femmesh.node_orders import HEX20
+
 from .text import write_numbered
 
 # Element kinds: solid brick 115 / 116, thin shell quad 94 / 95 (linear / parabolic).
 # Linear bricks have VTK's order; parabolic ones go round: corner, middle, corner, ...
 _HEX_KIND = {1: 115, 2: 116}
 _QUAD_KIND = {1: 94, 2: 95}
-UNV_HEX = {1: list(range(8)),
-           2: [0, 8, 1, 9, 2, 10, 3, 11, 16, 17, 18, 19, 4, 12, 5, 13, 6, 14, 7, 15]}
+UNV_HEX = {1: list(range(8)), 2: HEX20["UNV 116"]}
 UNV_QUAD = {1: [0, 1, 2, 3], 2: [0, 4, 1, 5, 2, 6, 3, 7]}
 
 

@@ -17,6 +17,8 @@ def of_curving(report):
     """Sentences about a mesh's report["curved"], see curving.curve; none of a mesh whose edges nobody curved."""
     if "straight edges" in report:
         return [report["straight edges"]]
+    if "curved as given" in report:
+        return [_as_given(report["curved as given"])]
     told = report.get("curved")
     if told is None:
         return []
@@ -34,6 +36,14 @@ def of_curving(report):
     said.append(translate("HexCon", "volume {volume:+.2g} of the solid's, area {area:+.2g}; curved faces at most "
                           "{chord:.3g} off it").format(volume=told["volume"] / told["cad_volume"] - 1,
                                                        area=told["area"] / told["cad_area"] - 1, chord=told["chord"]))
+    return said
+
+
+def _as_given(told):
+    said = translate("HexCon", "{edges} edges curved as the surface's 8-node quads are").format(edges=told["edges"])
+    if told["reduced"]:
+        said += translate("HexCon", "; {count} hexes would fold, and keep part of their curvature").format(
+            count=told["reduced"])
     return said
 
 
