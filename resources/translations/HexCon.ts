@@ -437,6 +437,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{edges} edges curved as the surface's 8-node quads are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; {count} hexes would fold, and keep part of their curvature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>hex {number} to {part:.2f}</source>
         <translation type="unfinished"></translation>
     </message>
