@@ -78,6 +78,39 @@ def test_regions(name):
     assert mesh.name == road and mesh.low >= least and (quads is None or len(mesh.quads) == quads)
 
 
+def random_region(seed):
+    """A rectangle or an L, turned, with up to three round holes; even divisions that suit no lattice in particular."""
+    rng = np.random.default_rng(seed)
+    w, h = rng.uniform(8, 14), rng.uniform(5, 9)
+    corners = [(0, 0), (w, 0), (w, h), (0, h)] if seed % 2 else [(0, 0), (w, 0), (w, 0.6 * h), (0.5 * w, 0.6 * h),
+                                                                (0.5 * w, h), (0, h)]
+    counts = np.rint(np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1) / rng.uniform(0.7, 1.1)).astype(int)
+    if seed % 3:        # opposite sides alike; else only an even sum
+        counts[2] = counts[0] - (0 if seed % 2 else counts[4])
+        counts[3] = counts[1] - (0 if seed % 2 else counts[3])
+        counts = np.maximum(counts, 1) if seed % 2 else np.r_[counts[2] + counts[4], counts[1], counts[2], counts[3],
+                                                              counts[4], counts[1] + counts[3]]
+    counts[0] += counts.sum() % 2
+    holes = [circle(x, 0.3 * h, rng.uniform(0.5, 0.7), 2 * int(rng.integers(4, 7)))
+             for x in np.arange(1, 1 + seed % 4) * w / 4]
+    angle = rng.uniform(0, 6)
+    turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+    loops = [polygon(corners, counts), *holes]
+    turns = [np.zeros(len(loop)) for loop in loops]
+    turns[0] = PlaneRegion(loops).turns[0]
+    return PlaneRegion([loop @ turn for loop in loops], turns)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_random_regions(seed):
+    region = random_region(seed)
+    mesh = mesh_plane(region, 1.0)
+    print(seed, mesh.name, len(mesh.quads), mesh.low, mesh.mean)
+    assert not faults(region, mesh) and mesh.low > 0.3 and mesh.mean > 0.75
+    again = mesh_plane(region, 1.0)
+    assert np.array_equal(mesh.points, again.points) and np.array_equal(mesh.quads, again.quads)
+
+
 @pytest.mark.parametrize("loops,words", [([polygon(SQUARE, [1, 1, 1, 2])], "odd"),
                                          ([polygon(SQUARE[:3], [1] * 3)], "fewer"),
                                          ([polygon(SQUARE, [2] * 4)[::-1]], "no area"),

@@ -1,13 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The plane part of the sweep: counts, lattice polygons, smoothing. Needs gmsh importable, as the worker does."""
+import pathlib
+
 import numpy as np
 import pytest
 
-from hexcon.quads.gmsh_worker import smooth
+from hexcon.quads.gmsh_worker import cad, smooth
+from hexcon.quads.gmsh_worker.boundary import orient, outline_of
 from hexcon.quads.gmsh_worker.cap import mesh_cap
 from hexcon.quads.gmsh_worker.link import Link
 from hexcon.quads.gmsh_worker.outline import Outline, balanced, least_count, with_total
 from hexcon.quads.gmsh_worker.plane_mesh import coons, harmonic
+from hexcon.quads.gmsh_worker.recognise import candidates
+
+BRACKET = pathlib.Path(__file__).parents[2] / "resources" / "examples" / "bracket.step"
 
 
 def polygon(corners, size, holes=()):
@@ -47,6 +53,43 @@ def test_caps(name):
     boundary = np.concatenate(outline.place(cap.shares))
     assert np.array_equal(cap.points[:len(boundary)], boundary)
     assert _area(cap.points, cap.quads) == pytest.approx(sum(_loop_area(p) for p in (corners, *holes)))
+
+
+@pytest.mark.parametrize("size", (4.0, 5.0, 7.0, 10.0, 14.0))
+def test_the_bracket_is_even_and_good_at_every_size(size):
+    """Three holes in an L with a fillet: o-grids in a lattice whose lines are dense beside holes and nowhere thin."""
+    solid = cad.load(str(BRACKET))
+    sweep, *planes = orient(solid, candidates(solid)[0])
+    outline = outline_of(solid, sweep, *planes, size)
+    mesh = mesh_cap(outline, Link(), "cap")
+    low, mean = mesh.quality()
+    edges = np.linalg.norm(np.roll(mesh.points[mesh.quads], -1, axis=1) - mesh.points[mesh.quads], axis=2)
+    print(f"{size}: {mesh.name}, {len(mesh.quads)} quads, {low:.3f} to mean {mean:.3f}", edges.min(), edges.max())
+    assert mesh.name == "lattice, o-grid holes" and low > 0.8 and mean > 0.94
+    assert (edges.max(axis=1) / edges.min(axis=1)).max() < 4.1
+    assert edges.min() > 0.4 * min(size, 10 * np.pi / 12) and edges.max() < 1.7 * size
+    assert len(mesh.quads) < 250
+
+
+@pytest.mark.parametrize("size", (6.0, 10.0))
+def test_a_flange_is_a_lattice_round_its_centre(size):
+    outline = round_outline([(0, 0, 50)], [(0, 0, 20)] + [(36 * np.cos(a), 36 * np.sin(a), 5)
+                                                       for a in np.arange(6) * np.pi / 3 + 0.2], size)
+    mesh = mesh_cap(outline, Link(), "flange")
+    low, mean = mesh.quality()
+    print(f"{mesh.name}, {len(mesh.quads)} quads, {low:.3f} to mean {mean:.3f}")
+    assert mesh.name.startswith("lattice") and low > 0.65 and mean > 0.9
+
+
+def round_outline(outer, holes, size):
+    """Outline of circles (x, y, radius), each one edge from its point at angle 0."""
+    circles = [(*c, sense) for cs, sense in ((outer, 1), (holes, -1)) for c in cs]
+
+    def place(shares):
+        return [np.stack([x + r * np.cos(2 * np.pi * s), y + g * r * np.sin(2 * np.pi * s)], -1)
+                for (x, y, r, g), (s,) in zip(circles, shares)]
+    return Outline([np.array([2 * np.pi * r / size]) for _, _, r, _ in circles], [np.array([12])] * len(circles),
+                   [np.zeros(1)] * len(circles), [np.array([g * np.pi / 2]) for *_, g in circles], place, place, size)
 
 
 @pytest.fixture(autouse=True, scope="module")
@@ -94,17 +137,17 @@ def test_smoothing_never_spoils():
     assert smooth.scaled_jacobian(smooth.optimise(points, quads, fixed), quads).min() >= 1.0 - 1e-12
 
 
-@pytest.mark.parametrize("eps", (0.0, 0.1))
-def test_gradient(eps):
+@pytest.mark.parametrize("eps,square", ((0.0, 1), (0.1, 1), (0.1, 2)))
+def test_gradient(eps, square):
     points, quads, fixed = _grid(5)
     points[~fixed] += np.random.default_rng(2).uniform(-0.2, 0.2, (16, 2))
-    _, gradient = smooth._energy(points, quads, 3, 0.4, eps, 1.2)
+    _, gradient = smooth._energy(points, quads, 3, 0.4, square, eps, 1.2)
     for vertex, axis in ((7, 0), (14, 1), (22, 0)):
         values = []
         for step in (1e-6, -1e-6):
             moved = points.copy()
             moved[vertex, axis] += step
-            values.append(smooth._energy(moved, quads, 3, 0.4, eps, 1.2)[0])
+            values.append(smooth._energy(moved, quads, 3, 0.4, square, eps, 1.2)[0])
         assert gradient[vertex, axis] == pytest.approx((values[0] - values[1]) / 2e-6, rel=1e-5)
 
 

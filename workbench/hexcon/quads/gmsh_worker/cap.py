@@ -9,11 +9,11 @@ from .fault import WorkerFault
 from .outline import even
 from .plane.slid import slid
 from .plane_mesh import image
-from .smooth import optimise, scaled_jacobian
+from .smooth import evenness, merit, optimise, scaled_jacobian
 from .templates import IF_POOR, TEMPLATES
 
 GOOD = 0.75        # a template this good, as a share of what the corners allow, is taken at once
-FINE = 0.85, 0.95   # and where the mean is so good as well, nothing else is tried
+FINE = 0.75, 0.93, 0.25     # worst as a share, mean, and quads up to four times as long as wide: no other is tried
 BONUS = 0.05       # what regular structure is worth, in scaled Jacobian
 ENOUGH = 0.7       # an unstructured mesh this good ends the search on a large cap
 LARGE = 3000       # quads
@@ -47,11 +47,11 @@ class CapMesh:
     def is_fine(self, limit):
         """Whether others need not be tried."""
         low, mean = self.quality()
-        return low > FINE[0] * limit and mean > FINE[1]
+        return low > FINE[0] * limit and mean > FINE[1] and evenness(self.points, self.quads).min() > FINE[2]
 
-    def score(self):
-        low, mean = self.quality()
-        return 0.65 * low + 0.35 * mean + BONUS * (self.name in TEMPLATES)
+    def score(self, limit):
+        """The lesser of both caps'."""
+        return min(merit(p, self.quads, limit) for p in (self.points, self.top)) + BONUS * (self.name in TEMPLATES)
 
 
 def mesh_cap(outline, link, label):
@@ -74,7 +74,7 @@ def mesh_cap(outline, link, label):
         _pave(tried, outline, link, label)
     if not tried:
         raise WorkerFault("NOT_SWEEPABLE", "the cap could not be meshed with valid quads")
-    return max(tried, key=CapMesh.score)
+    return max(tried, key=lambda mesh: mesh.score(outline.limit()))
 
 
 def _pave(tried, outline, link, label):

@@ -7,6 +7,7 @@ import numpy as np
 from scipy.optimize import minimize
 
 _TINY = 1e-300
+EVEN = 0.3      # weight of aspect ratios beside angles
 
 
 def corners(points, quads):
@@ -24,6 +25,24 @@ def scaled_jacobian(points, quads):
     return (det / np.maximum(scale, _TINY)).min(axis=1)
 
 
+def evenness(points, quads):
+    """(n,) shortest edge of each quad by its longest."""
+    p = points[quads]
+    length = np.linalg.norm(np.roll(p, -1, axis=1) - p, axis=2)
+    return length.min(axis=1) / np.maximum(length.max(axis=1), _TINY)
+
+
+def merit(points, quads, limit):
+    """What a plane mesh is worth: from its worst and its mean scaled Jacobian, the worst also bounded by how even the
+    quads are: those up to three times as long as wide count as square.
+
+    limit: the scaled Jacobian that the outline's corners allow
+    """
+    quality = scaled_jacobian(points, quads)
+    worst = min(float(quality.min()), max(limit, 0.05) * 3.0 * float(evenness(points, quads).min()))
+    return 0.65 * worst + 0.35 * float(quality.mean())
+
+
 def space_quality(points, quads):
     """(n,) the same for quads in space, points (m,3), about each quad's own normal."""
     p = points[quads]
@@ -34,10 +53,11 @@ def space_quality(points, quads):
     return (np.einsum("nkd,nd->nk", np.cross(a, b), normal) / np.maximum(scale, _TINY)).min(axis=1)
 
 
-def optimise(points, quads, fixed, budget=4_000_000, slides=None):
+def optimise(points, quads, fixed, budget=4_000_000, slides=None, even=EVEN):
     """Points (m,2) with the worst scaled Jacobian raised; never worse than given. fixed (m,) bool.
 
     slides: (rows (k,), directions (k,2) unit) of fixed points that may move along a line.
+    even: weight of aspect ratios, in their square, to the end; 0: they fade away
 
     A descent on sum (1/sine)^p plus a little for aspect ratio, p rising, so that the worst corners
     come to rule; an inverted start is untangled by the regularised determinant first.
@@ -52,7 +72,7 @@ def optimise(points, quads, fixed, budget=4_000_000, slides=None):
     current = points
     for power, aspect in ((1, 1.0), (2, 0.3), (4, 0.1), (8, 0.03), (12, 0.01)):
         for _ in range(4):
-            current = _descend(current, quads, free, slides, power, aspect, rounds)
+            current = _descend(current, quads, free, slides, power, max(aspect, even), 2 if even else 1, rounds)
             if scaled_jacobian(current, quads).min() > 0.01:
                 break
         key = _key(current, quads)
@@ -68,7 +88,7 @@ def _key(points, quads):
     return min(0.01, float(sj.min())), 0.75 * float(sj.min()) + 0.25 * float(sj.mean())
 
 
-def _descend(points, quads, free, slides, power, aspect, rounds):
+def _descend(points, quads, free, slides, power, aspect, square, rounds):
     """L-BFGS from SciPy on the free coordinates and the ways along slides, in units of the mean quad so that its first
     step fits."""
     det = corners(points, quads)[2]
@@ -85,7 +105,7 @@ def _descend(points, quads, free, slides, power, aspect, rounds):
         return result
 
     def value(x):
-        e, g = _energy(moved(x), quads, power if valid else 1, aspect, eps, reference)
+        e, g = _energy(moved(x), quads, power if valid else 1, aspect, square if valid else 1, eps, reference)
         return e, np.concatenate([g[free].ravel(), (g[rows] * ways).sum(axis=1)]) * unit
 
     start = np.concatenate([points[free].ravel() / unit, np.zeros(len(rows))])
@@ -94,8 +114,8 @@ def _descend(points, quads, free, slides, power, aspect, rounds):
     return moved(found.x)
 
 
-def _energy(points, quads, power, aspect, eps, reference):
-    """(value, gradient (m,2)) of sum ((|a||b|/chi)/reference)^power + aspect (|a|^2+|b|^2)/(2 chi).
+def _energy(points, quads, power, aspect, square, eps, reference):
+    """(value, gradient (m,2)) of sum ((|a||b|/chi)/reference)^power + aspect ((|a|^2+|b|^2)/(2 chi))^square.
 
     chi is the smooth positive part of the determinant, all but the determinant itself where that is above eps.
     """
@@ -106,10 +126,12 @@ def _energy(points, quads, power, aspect, eps, reference):
     la, lb = np.sqrt(np.maximum(aa, _TINY)), np.sqrt(np.maximum(bb, _TINY))
     sine = la * lb / chi
     term = (sine / reference) ** power
-    shape = aspect * (aa + bb) / (2.0 * chi)
-    e_det = -(power * term + shape) / chi * dchi
-    e_a = (power * term / np.maximum(aa, _TINY) + aspect / chi)[..., None] * a
-    e_b = (power * term / np.maximum(bb, _TINY) + aspect / chi)[..., None] * b
+    ratio = (aa + bb) / (2.0 * chi)
+    shape = aspect * ratio ** square
+    slope = square * aspect * ratio ** (square - 1) / chi
+    e_det = -(power * term + square * shape) / chi * dchi
+    e_a = (power * term / np.maximum(aa, _TINY) + slope)[..., None] * a
+    e_b = (power * term / np.maximum(bb, _TINY) + slope)[..., None] * b
     e_a = e_a + e_det[..., None] * np.stack([b[..., 1], -b[..., 0]], -1)
     e_b = e_b + e_det[..., None] * np.stack([-a[..., 1], a[..., 0]], -1)
     per_corner = np.roll(e_a, 1, axis=1) + np.roll(e_b, -1, axis=1) - e_a - e_b

@@ -8,7 +8,7 @@ from .fault import WorkerFault
 from .plane_mesh import harmonic
 from .recognise import candidates
 from .sides import Rings
-from .smooth import scaled_jacobian, space_quality
+from .smooth import evenness, scaled_jacobian, space_quality
 
 FOLDED = 0.01      # scaled Jacobian below which a wall quad counts as folded
 
@@ -50,12 +50,14 @@ def _sweep(solid, choice, size, link):
     to_upper = np.concatenate([first - total + np.arange(total), first + inner + np.arange(inner)])
     ring_count = len(rings.points) - 1
     low, mean = (float(x) for x in cap.quality())
+    aspect = 1.0 / float(evenness(cap.points, cap.quads).min())
     return {"points": np.concatenate([wall_points, lower[total:], upper[total:]]),
             "quads": np.concatenate([to_lower[cap.quads[:, ::-1]], walls, to_upper[cap.quads]]),
             "faces": np.concatenate([np.full(len(cap.quads), sweep.bottom), wall_faces,
                                      np.full(len(cap.quads), sweep.top)]),
             "notes": [f"sweep: cap Face{sweep.bottom} -> Face{sweep.top}, {len(cap.quads)} cap quads x "
-                      f"{ring_count} rings; cap mesh {cap.name}, scaled Jacobian {low:.3f} to mean {mean:.3f}"]}
+                      f"{ring_count} rings; cap mesh {cap.name}, scaled Jacobian {low:.3f} to mean {mean:.3f}, "
+                      f"edges of a quad up to 1 to {aspect:.1f}"]}
 
 
 def _on_face(solid, face, plane, flat, quads, outline):

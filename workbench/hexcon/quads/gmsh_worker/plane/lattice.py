@@ -14,8 +14,9 @@ from ..plane_mesh import harmonic
 from ..submap import inside_of
 from .charts import charts_of
 from .headings import runs_of
-from .lattice_counts import lattice_lines, run_counts
+from .lattice_counts import across, lattice_lines, run_counts
 
+LONGEST = 2.5   # times as long as wide are elements to be, where holes make them narrow
 FINE = 16       # points of an edge by which an outline without divisions is looked at
 
 
@@ -59,7 +60,11 @@ def lattice_plans(outline):
         flat = [run for loop in runs for run in loop]
         parts = [_parts_of(run) for run in flat]
         few = [np.array([max(1, int(np.ceil(least[e] * share - 1e-9))) for e, share in own], int) for own in parts]
-        lines = lattice_lines(runs, _worth(flat, weights, outline.size), [max(1, f.sum()) for f in few])
+        worth, fewest = _worth(flat, weights, outline.size), [max(1, f.sum()) for f in few]
+        lines = lattice_lines(runs, worth, fewest)
+        if lines is not None:       # once more, no longer than the divisions across allow
+            room = LONGEST * across(runs, lines)
+            lines = lattice_lines(runs, [np.maximum(w, run.length / r) for w, run, r in zip(worth, flat, room)], fewest)
         plan = None if lines is None else _shared_out(outline, runs, lines, parts, few, desired, straight)
         if plan is not None:
             found.append(plan)

@@ -125,6 +125,21 @@ def _wanted_between(program, run, worth, stops):
             program.near({j: 1.0, i: -1.0}, max(float(own), 1.0), EDGE_COST)
 
 
+def across(runs, lines):
+    """(runs,) least size of the elements beside each run, across it: infinite where it faces no other."""
+    flat = [run for loop in runs for run in loop]
+    least = np.full(len(flat), np.inf)
+    for axis in (0, 1):
+        own = sorted(((i, run) for i, run in enumerate(flat) if run.heading % 2 == axis), key=lambda one: one[1].place)
+        for a, (i, low) in enumerate(own):
+            for j, high in own[a + 1:]:
+                beside = min(low.high, high.high) > max(low.low, high.low)
+                if beside and _sees(low, high) and not _hidden(own, low, high):
+                    size = (high.place - low.place) / max(int(lines[j] - lines[i]), 1)
+                    least[[i, j]] = np.minimum(least[[i, j]], size)
+    return least
+
+
 def _stops(flat, number, terms):
     """[(place along the run, line)] of a run's ends and of the holes that it sees."""
     run = flat[number]

@@ -6,12 +6,12 @@ import numpy as np
 
 from .. import paved
 from ..link import Link
-from ..smooth import optimise, scaled_jacobian
+from ..smooth import evenness, merit, optimise, scaled_jacobian
 from ..templates import IF_POOR, TEMPLATES
 from .lattice import lattices_of
 
 GOOD = 0.75         # a structured mesh this good, as a share of what the corners allow, is taken without gmsh
-FINE = 0.85, 0.95   # and where the mean is so good as well, nothing else is tried
+FINE = 0.75, 0.93, 0.25     # worst as a share, mean, and quads up to four times as long as wide: no other is tried
 BONUS = 0.05        # what regular structure is worth, in scaled Jacobian
 LEAST = 0.02        # a mesh with a worse quad is none
 FEWEST = 4          # boundary points
@@ -39,8 +39,18 @@ class PlaneMesh:
     limit: float
 
     @property
+    def is_fine(self):
+        """Whether others need not be tried."""
+        return self.low > FINE[0] * self.limit and self.mean > FINE[1] and self.even > FINE[2]
+
+    @property
+    def even(self):
+        """The least of the quads' shortest edges by their longest."""
+        return float(evenness(self.points, self.quads).min())
+
+    @property
     def score(self):
-        return 0.65 * self.low + 0.35 * self.mean + BONUS * (not self.name.startswith("gmsh"))
+        return merit(self.points, self.quads, self.limit) + BONUS * (not self.name.startswith("gmsh"))
 
 
 def mesh_plane(region, size, link=None, label="region"):
@@ -56,7 +66,7 @@ def mesh_plane(region, size, link=None, label="region"):
     for name, (_, build) in TEMPLATES.items():
         if name not in IF_POOR or max((mesh.low for mesh in tried), default=0.0) < GOOD * region.limit:
             for counts in lattices if name.startswith("lattice") else ones:
-                if not any(mesh.low > FINE[0] * mesh.limit and mesh.mean > FINE[1] for mesh in tried):
+                if not any(mesh.is_fine for mesh in tried):
                     tried += _templated(region, size, name, counts, build)
     if max((mesh.low for mesh in tried), default=0.0) < GOOD * region.limit:
         tried += _paved(region, size, link or Link(), label)

@@ -5,6 +5,7 @@ import numpy as np
 
 from ..cap import mesh_cap
 from ..outline import Outline, least_count
+from ..smooth import evenness
 from .axis import Axis, axis_of
 from .bands import bands_of
 from .core import with_cores
@@ -166,10 +167,10 @@ def _angles(solid, axis, face):
 
 
 def _notes(solid, axis, cap, cores, around, off, size, faces):
-    low, mean = cap.quality()
+    (low, mean), aspect = cap.quality(), 1.0 / float(evenness(cap.points, cap.quads).min())
     notes = [f"revolved about {axis.word}: {len(cap.quads)} quads of half a section ({cap.name}, scaled Jacobian "
-             f"{low:.3f} to mean {mean:.3f}) x {around} round" + (f", {len(cores)} cores of discs" if cores else "")
-             + f"; volume {100 * off:+.2f} %"]
+             f"{low:.3f} to mean {mean:.3f}, edges of a quad up to 1 to {aspect:.1f}) x {around} round"
+             + (f", {len(cores)} cores of discs" if cores else "") + f"; volume {100 * off:+.2f} %"]
     wanted = sum(solid.area(f) for f in solid.faces) / size ** 2
     if len(faces) > 2.0 * wanted:
         notes.append(f"revolved: {len(faces)} quads where the size asks for {wanted:.0f}: chords are to cut no more "
