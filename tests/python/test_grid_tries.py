@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from hexcon.quads.gmsh_worker.grid import overlay as overlays
-from hexcon.quads.gmsh_worker.grid import routes, tries
+from hexcon.quads.gmsh_worker.grid import overlay, routes, tries
 from hexcon.quads.gmsh_worker.grid.captured import NotCaptured
 
 
@@ -41,18 +40,18 @@ def test_a_good_mesh_is_kept_before_better_ones_are_sought(features, monkeypatch
 
 
 def test_folded_hexes_get_few_passes_and_drafts_are_finished_last(features, monkeypatch):
-    """Where relaxation leaves all as it was: no polish; drafts are told by their folded hexes, and refused in the end."""
+    """Where relaxation leaves all as it was: no polish; drafts are told by folded hexes, and refused in the end."""
     asked = []
 
     def relax(self, points, curves_held=(True, False), passes=0, **options):
         asked.append(passes)
         return points + 0.0 if passes else np.zeros_like(points)
-    monkeypatch.setattr(overlays.Sliding, "relax", relax)
+    monkeypatch.setattr(overlay.Sliding, "relax", relax)
     monkeypatch.setattr(tries, "TRIES", tries.TRIES[1:2])
     solid, link = features(blind, 1.5).cad.solid, Link()
     with pytest.raises(tries.WorkerFault, match="hexes not positive"):
         tries.grid_surface(solid, 1.5, link, 600.0)
-    assert not link.kept and overlays.PASSES not in asked
+    assert not link.kept and overlay.PASSES not in asked
 
 
 def test_curves_without_room_are_given_up_soon(features, monkeypatch):
@@ -64,7 +63,19 @@ def test_curves_without_room_are_given_up_soon(features, monkeypatch):
     monkeypatch.setattr(routes.Routes, "_conflicts", lambda self: rounds.append(self) or conflicts(self))
     found = features(near, 2.0)
     with pytest.raises(NotCaptured):
-        overlays.overlay(found, 2.0, overlays.Work())
+        overlay.overlay(found, 2.0, overlay.Work())
     times = [sum(one is r for one in rounds) for r in set(rounds)]
     assert times and max(times) <= len(found.curves) + routes.PATIENCE + 1 < routes.ROUNDS
 
+
+def test_points_of_curves_keep_their_order_and_apart(features):
+    """A hole some two elements wide beside a corner."""
+    def near_a_corner(occ):
+        occ.cut([(3, occ.addBox(0, 0, 0, 6, 6, 3))], [(3, occ.addCylinder(2.2, 2.4, -1, 0, 0, 5, 1.1))])
+    found = overlay.overlay(features(near_a_corner, 1.0), 1.0, overlay.Work())
+    assert found.good
+    for curve, chain in zip(found.features.curves, overlay.Sliding(found.mesh, found.features).chains):
+        step = np.diff(curve.lengths_of(found.points[chain])[0])
+        step = step - curve.length * np.round(step / curve.length) if curve.closed else step
+        turn = 1.0 if not curve.closed or step.sum() > 0.0 else -1.0
+        assert (turn * step > 0.1 * curve.length / len(step)).all()

@@ -30,7 +30,8 @@ ENOUGH = 0.3            # and above which what counts is the mean
 MOST_REFINED = 200_000      # and of one whose cells are split
 LONGEST = 1.5           # of the size: edges of cells up to which they are not split, as even steps between planes are
 FINE = 0.95                 # least scaled Jacobian of first places that are taken as they are
-MOST_FOLDED = 0.006         # part of the hexes: with more left folded, passes over them are lost time
+MOST_FOLDED = 0.01          # part of the hexes: with more left folded, passes over them are lost time
+MOST_CROSSINGS = 12         # pairs of quads: with more, polish is lost time
 MOST_SETS = 2               # of cells with the solid's topology that are tried
 MANY_SHEETS = 1.5           # times the hexes: sheets that go on inside are then too many to be tried first
 FEW_PASSES, PASSES, MEAN_PASSES = 3, 9, 4   # of hexcon_native.relax: over folded hexes, over certified ones
@@ -118,13 +119,13 @@ def finished(draft, h, report=lambda stage, fraction: None):
 
 
 def _filled(mesh, features, h, work, report):
-    """The Overlay of a captured mesh with sheets. It is polished only where nothing but its shapes wants it."""
+    """The Overlay of a captured mesh with sheets. It is polished where nothing is folded and hardly any quads cross."""
     work.hexes += len(mesh.hexes)
     report("slide", 0.0)
     sliding = Sliding(mesh, features)
     points, fine = _in_place(mesh, features, sliding)
     found = _judged(mesh, features, points, sliding, h)
-    if fine or not found.good:
+    if fine or found.folded > 1 or len(found.certificate.crossings) > MOST_CROSSINGS:
         return found
     for polish in (sliding.polished, sliding.relax):
         shiny = _judged(mesh, features, polish(points, passes=PASSES, mean_passes=MEAN_PASSES, threads=1), sliding, h)
@@ -207,11 +208,21 @@ def _in_place(mesh, features, sliding):
     start = placed(mesh, features, sliding)
     if hn.quality(start, mesh.hexes).min >= FINE:
         return start, True
-    points = sliding.relax(start, threads=1)
-    for held in (True, False):
-        if 0 < _folded(points, mesh) <= MOST_FOLDED * len(mesh.hexes):
-            points = sliding.relax(points, (held,), passes=FEW_PASSES, threads=1)
-    return points, False
+    return _unfolded(sliding.relax(start, (True,), threads=1), mesh, sliding), False
+
+
+def _unfolded(points, mesh, sliding):
+    """Points with passes over hexes that are folded still, if those are few: points of curves are held at first, then
+    those near folded hexes slide."""
+    for number, options in enumerate(({"passes": FEW_PASSES}, {}, {"passes": FEW_PASSES})):
+        bad = hn.quality(points, mesh.hexes).scaled_jacobian <= 0.0
+        if not 0 < np.count_nonzero(bad) <= MOST_FOLDED * len(mesh.hexes):
+            break
+        touched = np.zeros(len(points), bool)
+        touched[mesh.hexes[bad]] = True
+        touched[mesh.hexes[touched[mesh.hexes].any(axis=1)]] = True
+        points = sliding.relax(points, (True if number == 0 else ~touched,), threads=1, **options)
+    return points
 
 
 def _folded(points, mesh):

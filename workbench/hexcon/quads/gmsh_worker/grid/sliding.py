@@ -71,11 +71,11 @@ class Sliding:
         return hn.project_points(points, self.carrier_of_point, self._on.rows, project=self._on.project)[0]
 
     def relax(self, points, curves_held=(True, False), **options):
-        """hexcon_native.relax of these points, once with those of curves held or not for each of `curves_held`. At
-        first they are best held: where points beside them begin on the other side they would slide together."""
+        """hexcon_native.relax of these points, once for each of `curves_held`: whether points of curves are held, all
+        alike or each (P,). At first they are best held: they would slide together."""
         on_curves = (self.carrier_of_point >= 0) & (self.carrier_of_point < self._on.curves)
         for held in curves_held:
-            carriers = np.where(on_curves, STAYS, self.carrier_of_point) if held else self.carrier_of_point
+            carriers = np.where(on_curves & held, STAYS, self.carrier_of_point)
             points = hn.relax(points, self._hexes, carriers, self._on.rows, project=self._on.project, **options)
         return points
 
