@@ -115,7 +115,7 @@ def test_surfaces(tmp_path, name):
     assert len(surface.quads) == 24 and len(surface.points) == 26
     assert np.isclose(volume_of(surface.points, surface.quads), 6000)
     groups = {"twice.msh": {"skin", "all"}, "groups41.msh": {"skin", "all"}, "small.bdf": {"PID 1", "PID 2"},
-              "long.nas": {"PID 1", "PID 2"}}
+              "long.nas": {"PID 1", "PID 2"}, "v1.msh": {"physical 1"}}
     assert set(surface.quad_groups) == groups.get(name, set())
 
 
@@ -323,3 +323,25 @@ def test_every_ending_is_in_the_table_of_formats():
         assert bool(row.read) == any(ending in READERS for ending in row.endings), row.name
         surfaces_only = row.name in ("Wavefront", "Medit")
         assert bool(row.written) == (any(ending in WRITERS for ending in row.endings) or surfaces_only), row.name
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_damaged_text_is_refused_by_its_name(tmp_path, seed):
+    """Pieces cut out, doubled, changed to numbers and words of all kinds: read, or a fault that names the file."""
+    rng = np.random.default_rng(seed)
+    own = [(name, text) for name, text in {**SURFACES, **MESHES}.items()
+           if name.rsplit(".")[-1] in ("obj", "mesh", "bdf", "nas", "off")]
+    own += [("m.unv", text) for text, _, _ in UNV.values()] + [("m.inp", BOX)]
+    for _ in range(60):
+        name, text = own[rng.integers(len(own))]
+        start = int(rng.integers(len(text)))
+        end = start + int(rng.choice([0, 1, 3, 40]))
+        piece = ("", text[:start][-30:], "-1", "1e400", "nan", str(10 ** 30), "x", ",,", "*", "\n", " 0 "
+                                                                                                    "")[rng.integers(11)]
+        path = tmp_path / f"m.{name.rsplit('.')[-1]}"
+        path.write_text(text[:start] + piece + (text[end:] if rng.random() < 0.9 else ""), encoding="ascii")
+        for read in (surface_from_file, read_mesh):
+            try:
+                read(path)
+            except HexconError as fault:
+                assert path.name in str(fault)

@@ -17,6 +17,11 @@ _CELLS = {"vertices": None, "edges": ("line", 2), "triangles": ("triangle", 3), 
           "hexaedra": ("hexahedron", 8), "hexahedrons": ("hexahedron", 8), "prisms": ("wedge",
                                                                                       6), "pentahedra": ("wedge", 6),
           "pyramids": ("pyramid", 5)}
+# What gmsh writes at order 2: (kind, nodes) -> kind, and the places of VTK's nodes among gmsh's.
+_HEX20 = (*range(8), 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15)
+_SECOND = {("line", 3): ("line3", range(3)), ("triangle", 6): ("triangle6", range(6)), ("quad", 8): ("quad8", range(8)),
+           ("quad", 9): ("quad9", range(9)), ("hexahedron", 20): ("hexahedron20", _HEX20),
+           ("hexahedron", 27): ("hexahedron27", (*_HEX20, 22, 23, 21, 24, 20, 25, 26))}
 # keyword -> numbers in each row, of what is passed over
 _OTHERS = {"corners": 1, "requiredvertices": 1, "ridges": 1, "requirededges": 1, "requiredtriangles": 1,
            "requiredquadrilaterals": 1, "normals": 3, "tangents": 3, "normalatvertices": 2, "tangentatvertices": 2,
@@ -60,7 +65,7 @@ class _Medit:
         groups = []
         for kind, references in self.references.items():
             found = np.unique(references)
-            if kind == "quad" and 1 < len(found) <= _MOST_GROUPS:
+            if kind.startswith("quad") and 1 < len(found) <= _MOST_GROUPS:
                 groups += [Group(f"ref {number}", kind, np.flatnonzero(references == number))
                            for number in found.tolist()]
         return Contents(self.points, self.cells, groups)
@@ -77,16 +82,32 @@ class _Medit:
             self.points = np.zeros((len(rows), 3))
             self.points[:, :self.dimension] = rows[:, :-1]
         elif keyword in _CELLS:
-            kind, corners = _CELLS[keyword]
-            rows = self._rows(keyword, corners + 1, np.int64)
-            if len(rows):
-                before = self.cells.get(kind, np.zeros((0, corners), np.int64))
-                self.cells[kind] = np.vstack([before, rows[:, :-1] - 1])
-                self.references[kind] = np.concatenate([self.references.get(kind, np.zeros(0, np.int64)), rows[:, -1]])
+            self._elements(keyword, *_CELLS[keyword])
         elif keyword in _OTHERS:
             self._rows(keyword, None if keyword.startswith(("normals", "tangents")) else _OTHERS[keyword], float)
         else:
             raise self.fault(f"keyword {self.shown!r} is not known, and may be a part of the mesh")
+
+    def _elements(self, keyword, kind, corners):
+        """Corners and a reference in each row; gmsh writes elements of order 2 under the same keywords, with more
+        nodes."""
+        nodes = self._width(keyword) - 1
+        kind, places = (kind, range(corners)) if nodes in (-1, corners) else _SECOND.get((kind, nodes), (kind, None))
+        if places is None:
+            raise self.fault(f"{self.shown}: rows of {nodes} nodes and a reference; {corners} nodes are possible")
+        rows = self._rows(keyword, len(places) + 1, np.int64)
+        if len(rows):
+            before = self.cells.get(kind, np.zeros((0, len(places)), np.int64))
+            self.cells[kind] = np.vstack([before, rows[:, list(places)] - 1])
+            self.references[kind] = np.concatenate([self.references.get(kind, np.zeros(0, np.int64)), rows[:, -1]])
+
+    def _width(self, keyword):
+        """Numbers in a row, by all up to the next keyword; 0 where they are not the same many in each."""
+        count = int(self.words[self.at]) if self.at < len(self.words) and self.words[self.at].isdigit() else 0
+        end = start = self.at + 1
+        while end < len(self.words) and not self.words[end][0].isalpha():
+            end += 1
+        return (end - start) // count if count and (end - start) % count == 0 else 0
 
     def _whole(self, keyword):
         try:

@@ -125,7 +125,7 @@ class _Nastran:
                 self._element(where, name, fields, _SOLID[name])
             elif name in _REFUSED:
                 raise _fault(*where, f"{name} is not understood, and would change the mesh")
-        except (ValueError, IndexError) as error:
+        except (ValueError, IndexError, OverflowError) as error:
             raise _fault(*where, f"{name}: {error}") from error
 
     def _grid(self, where, fields):
@@ -154,7 +154,7 @@ class _Nastran:
         for kind, rows in self.listed.items():
             try:
                 cells[kind] = rows_of(ids, np.array(rows, np.int64))
-            except ValueError as error:
+            except (ValueError, OverflowError) as error:
                 raise ToolError(f"{self.path}: a {kind} names a GRID that is not defined: {error}",
                                 FaultCode.FILE_FORMAT) from error
             if kind == "hexahedron20":

@@ -84,7 +84,7 @@ class _File:
         if number in readers:
             try:
                 readers[number](number, first, lines)
-            except (ValueError, IndexError) as error:
+            except (ValueError, IndexError, OverflowError) as error:
                 raise self._fault(first, f"dataset {number} is damaged, or ends too soon: {error}") from error
 
     def _fault(self, line, words):
@@ -194,10 +194,10 @@ class _File:
         for kind, (own, rows) in self.listed.items():
             try:
                 cells[kind] = rows_of(ids, np.array(rows).astype(np.int64))
-            except ValueError as error:
+                labels[kind] = np.array(own, np.int64)
+            except (ValueError, OverflowError) as error:
                 raise ToolError(f"{self.path}: an element of kind {kind} names a node that is not defined: {error}",
                                 FaultCode.FILE_FORMAT) from error
-            labels[kind] = np.array(own, np.int64)
         places, told = self._scaled(self._placed()), self.factor is not None and self.part != _SMESH
         return Contents(places, cells, list(self._group_rows(ids, labels)), self.notes, self.counts, told)
 

@@ -17,9 +17,11 @@ def _numbers(card, kind, least, most):
     for number, parts in card.fields():
         try:
             row = [kind(part) if part else None for part in parts]
+            if not all(abs(value) < 1e300 for value in row if value is not None):
+                raise ValueError("a number that is not finite")
         except ValueError as error:
             raise card.fault(f"{', '.join(parts)[:80]!r}: numbers are needed", number) from error
-        if not least <= len(row) <= most or row[0] is None:
+        if not least <= len(row) <= most or None in row[:least]:
             raise card.fault(f"{least} to {most} numbers are needed, not {len(row)}", number)
         yield number, row
 

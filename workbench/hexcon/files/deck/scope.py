@@ -136,7 +136,8 @@ class Scope:
             self.notes.append(f"{len(ids) - len(kept)} nodes are defined more than once: the last place counts")
         self.node_ids, self.places = ids[kept], places[kept]
         if self.move is not None:
-            self.places = self.move(self.places)
+            with np.errstate(invalid="ignore"):     # what is not finite is refused later
+                self.places = self.move(self.places)
         self._refuse_twice()
 
     def _refuse_twice(self):

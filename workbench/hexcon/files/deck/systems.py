@@ -26,7 +26,10 @@ class System:
         self.origin, self.axes = origin, axes
 
     def applied(self, places):
-        return places if self.origin is None else self.origin + places @ self.axes
+        if self.origin is None:
+            return places
+        with np.errstate(invalid="ignore"):     # what is not finite is refused later
+            return self.origin + places @ self.axes
 
     @classmethod
     def of(cls, card):

@@ -85,8 +85,8 @@ def _groups(blocks, elements, at):
     """[(name, kind, members)] of the physical groups; of points: the nodes of their vertices."""
     groups = []
     for dimension, number in gmsh.model.getPhysicalGroups():
-        name = gmsh.model.getPhysicalName(dimension, number)
-        if dimension == 1 or not name:
+        name = gmsh.model.getPhysicalName(dimension, number) or f"physical {number}"
+        if dimension == 1:
             continue
         entities = {(dimension, int(e)) for e in gmsh.model.getEntitiesForPhysicalGroup(dimension, number)}
         by_kind = {}
