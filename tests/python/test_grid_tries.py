@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from hexcon.quads import surface_from_solid
 from hexcon.quads.gmsh_worker.grid import overlay, routes, tries
 from hexcon.quads.gmsh_worker.grid.captured import NotCaptured
 
@@ -79,3 +80,26 @@ def test_points_of_curves_keep_their_order_and_apart(features):
         step = step - curve.length * np.round(step / curve.length) if curve.closed else step
         turn = 1.0 if not curve.closed or step.sum() > 0.0 else -1.0
         assert (turn * step > 0.1 * curve.length / len(step)).all()
+
+
+def test_an_edge_much_shorter_than_the_elements_is_a_point(features, tmp_path):
+    """A roof whose ridge is a few thousandths of the size."""
+    def roof(occ):
+        corners = ((0, 0, 0), (8, 0, 0), (8, 8, 0), (0, 8, 0), (3.998, 4, 5), (4.002, 4, 5))
+        points = [occ.addPoint(*at) for at in corners]
+        lines = {}
+
+        def line(a, b):
+            if (b, a) in lines:
+                return -lines[b, a]
+            return lines.setdefault((a, b), lines.get((a, b)) or occ.addLine(points[a], points[b]))
+        faces = [occ.addPlaneSurface([occ.addCurveLoop([line(*pair) for pair in zip(f, f[1:] + f[:1])])])
+                 for f in ((3, 2, 1, 0), (0, 1, 5, 4), (1, 2, 5), (2, 3, 4, 5), (3, 0, 4))]
+        occ.addVolume([occ.addSurfaceLoop(faces)])
+    features(roof, 1.2)
+    surface = surface_from_solid(str(tmp_path / "solid.brep"), 1.2, "grid")
+    apex = np.abs(surface.points - [4, 4, 5]).max(axis=1) < 0.0021
+    assert apex.sum() == 1 and set(surface.face_of_quad) == {1, 2, 3, 4, 5}
+    assert any("taken as points: Edge" in note for note in surface.notes)
+    edges = surface.points[surface.quads] - surface.points[np.roll(surface.quads, -1, axis=1)]
+    assert np.linalg.norm(edges, axis=2).min() > 0.1

@@ -62,7 +62,7 @@ _ROWS = (
                   refusal="NOT_BOXED", refused="not boxed", filled_by="proposal"),
     SurfaceMethod("grid", "grid", "any solid whose features are not much smaller than the elements: a grid of hexes that "
                   "takes them up", "grid.tries.grid_surface", ("timeout", "care", "sizes"), turn=6, refused="not gridded",
-                  spares_volume=True, filled_by="proposal"),
+                  leaves_out=True, spares_volume=True, filled_by="proposal"),
     # Hexes inside: 3 a quad on triangles, 10 to 22, and worse ones, where there are coarse quads.
     SurfaceMethod("subdivided", "subdivided quads", "any solid: gmsh's quads and triangles, each cut about its middle",
                   "whole.whole_surface", ("method", "sizes"), turn=8, leaves_out=True, filled_by="diced", hexes_a_quad=10),

@@ -128,13 +128,35 @@ def _collected(solid):
         _, nodes = gmsh.model.mesh.getElementsByType(2, f)
         triangles.append(row[np.asarray(nodes, int)].reshape(-1, 3))
         face.append(np.full(len(triangles[-1]), f))
-    edge_points = {e: _along(row[np.asarray(gmsh.model.mesh.getElementsByType(1, e)[1], int)].reshape(-1, 2))
-                   for e in solid.edges}
-    used, packed = np.unique(np.vstack(triangles), return_inverse=True)
+    edge_points = {e: _along(_segments(e, row)) for e in solid.edges}
+    points, triangles, face = np.array(xyz).reshape(-1, 3), np.vstack(triangles), np.concatenate(face)
+    if solid.left_out:
+        merged = _merged(solid, row, points)
+        triangles = merged[triangles]
+        whole = (triangles != np.roll(triangles, 1, axis=1)).all(axis=1)
+        triangles, face = triangles[whole], face[whole]
+        edge_points = {e: merged[ids] for e, ids in edge_points.items()}
+    used, packed = np.unique(triangles, return_inverse=True)
     back = np.full(len(tags), -1)
     back[used] = np.arange(len(used))
-    return (np.array(xyz).reshape(-1, 3)[used], packed.reshape(-1, 3), np.concatenate(face),
-            {e: back[ids] for e, ids in edge_points.items()})
+    return points[used], packed.reshape(-1, 3), face, {e: back[ids] for e, ids in edge_points.items()}
+
+
+def _segments(edge, row):
+    """(n, 2) rows of the nodes of an edge's elements."""
+    return row[np.asarray(gmsh.model.mesh.getElementsByType(1, edge)[1], int)].reshape(-1, 2)
+
+
+def _merged(solid, row, points):
+    """(n,) row that stands for each: the points of an edge that is left out are one, at the vertex that it has become;
+    points are changed there."""
+    merged, first = np.arange(len(points)), {}
+    for edge, vertex in solid.left_out.items():
+        ids = np.unique(_segments(edge, row))
+        one = first.setdefault(vertex, ids[0])
+        merged[ids] = one
+        points[one] = solid.vertex[vertex]
+    return merged
 
 
 def _along(segments):
