@@ -168,3 +168,43 @@ def test_reactions_balance_loads(part, deck):
     assert pressed[2] == pytest.approx(PRESSURE * area, rel=1e-3 if mesh.order == 2 else 1e-5)
     squeezed = reaction(deck(("Pressure", ("Face1",), {"Pressure": PRESSURE}), FIXED))
     assert np.abs(squeezed).max() < 1e-3 * PRESSURE * area
+
+
+def test_groups_where_the_distance_test_is_too_tight(doc, cylinder_in, tmp_path):
+    """Straight edges of order 2 leave the cylinder: constraints get node groups by themselves, and FreeCAD's own deck
+    has every node and element face; where a reference changes, or is none any more, so does the group."""
+    from hex_grids import cylinder
+
+    from hexcon.calculix import constraint_groups
+    from hexcon.femmesh import add_to_document, face_nodes
+    solid, mesh = cylinder_in(5.0, 8.0), cylinder(4, 3, 5.0, 8.0)
+    held = add_to_document(doc, mesh, solid, order=2)
+    objects = freecad_compat.fem_module("ObjectsFem")
+    constraint_groups.watch()
+    analysis, solver = objects.makeAnalysis(doc, "Analysis"), freecad_compat.make_ccx_solver(doc)
+    material = objects.makeMaterialSolid(doc, "Material")
+    material.Material = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.3",
+                         "Density": "7900 kg/m^3"}
+    fixed, pressure = objects.makeConstraintFixed(doc), objects.makeConstraintPressure(doc)
+    for member in (solver, material, held, fixed):
+        analysis.addObject(member)
+    fixed.References = [(solid, "Face2")]
+    assert not any(held.FemMesh.getGroupName(g).startswith(fixed.Name) for g in held.FemMesh.Groups)   # a plane
+    pressure.References = [(solid, "Face1")]
+    pressure.Pressure = 2.0
+    analysis.addObject(pressure)                                    # after its references were set
+    doc.recompute()
+    names = {held.FemMesh.getGroupName(g): g for g in held.FemMesh.Groups}
+    side = set((face_nodes(mesh, 1, 2) + 1).tolist())
+    assert set(held.FemMesh.getGroupElements(names[pressure.Name + constraint_groups.ENDING])) == side
+    tools = freecad_compat.fem_module("femtools.ccxtools").FemToolsCcx(analysis, solver)
+    tools.update_objects()
+    tools.setup_working_dir(str(tmp_path))
+    assert not tools.check_prerequisites()
+    tools.write_inp_file()
+    assert lines_of(tools.inp_file_name)["*DLOAD"] == (mesh.face_of_quad == 1).sum()
+    pressure.References = [(solid, "Face3")]
+    assert not any(held.FemMesh.getGroupName(g).startswith(pressure.Name) for g in held.FemMesh.Groups)
+    fixed.References = [(solid, ("Face1", "Face2"))]
+    names = {held.FemMesh.getGroupName(g): g for g in held.FemMesh.Groups}
+    assert side < set(held.FemMesh.getGroupElements(names[fixed.Name + constraint_groups.ENDING]))

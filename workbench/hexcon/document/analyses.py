@@ -6,7 +6,7 @@ These are calls for macros; hexcon.gui.actions has them too.
 import sys
 
 from hexcon import freecad_compat, preferences, window
-from hexcon.calculix import solve
+from hexcon.calculix import constraint_groups, solve
 from hexcon.calculix.material import material_of
 from hexcon.errors import FaultCode, ToolError
 from hexcon.topological import refuse_topological
@@ -33,6 +33,8 @@ def into_analysis(mesh_object, *, allow_topological=False):
         if mesh_object not in analysis.Group:
             analysis.addObject(mesh_object)
         document.recompute()
+        constraint_groups.watch()
+        constraint_groups.name_all(mesh_object)
     _activate(analysis)
     return analysis
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object "hex mesh": a FEM mesh of hexes made from a quad surface object."""
 from hexcon import preferences
+from hexcon.calculix import constraint_groups
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh import to_femmesh
 from hexcon.femmesh.document import mark_topological
@@ -124,6 +125,12 @@ class HexMeshObject(Parametric):
             "Certified": bool(certificate and certificate.certified),
             "Stages": [name for name, _ in stages], "HexesOfStages": [count for _, count in stages],
             "Log": [str(line) for line in (*result.report.get("surface tries", ()), *result.report["log"])]})
+        constraint_groups.watch()
+        constraint_groups.name_all(obj)
+
+    def onDocumentRestored(self, obj):
+        super().onDocumentRestored(obj)
+        constraint_groups.watch()
 
 
 def stages_of_object(obj):
