@@ -135,3 +135,16 @@ def test_command_line(solids, tmp_path):
     wrong = run("smooth", source, solids["cube"])
     assert wrong.returncode == 1 and "NOT_ON_SOLID" in wrong.stderr
     assert run("smooth", source, solids["pipe"], "-o", source).returncode == 1
+
+
+def test_order_2_lies_on_the_solid(solids):
+    given = Given("pipe", 4, 0.2, 3)
+    found = hexcon.smooth(given, solids["pipe"], order=2)
+    assert found.order == 2 and found.hexes.shape[1] == 20 and found.certificate.certified
+    told = found.report["curved"]
+    assert told["straight"] == told["reduced_count"] == 0 and abs(told["volume"] / told["cad_volume"] - 1) < 1e-4
+    flat = hexcon.smooth(given, solids["pipe"])
+    assert (found.points[:len(flat.points)] == flat.points).all()
+    with pytest.raises(hn.HexconError) as caught:
+        hexcon.smooth(given, solids["pipe"], order=3)
+    assert caught.value.code is FaultCode.BAD_OPTION

@@ -295,10 +295,10 @@ def smooth(options):
     """hexcon smooth MESH SOLID [-o OUT]"""
     check_outputs(options, WRITERS)
     given = _read(options)
-    found = smooth_mesh(given, _chosen(options.solid, options), tolerance=options.tolerance, keep=options.keep,
-                        timeout=options.timeout)
+    found = smooth_mesh(given, _chosen(options.solid, options), order=given.order, tolerance=options.tolerance,
+                        keep=options.keep, timeout=options.timeout)
     for path in options.output:
-        write(found, path, order=given.order)
+        write(found, path)
     corners, edges, faces, _ = np.bincount(found.dimension[np.unique(found.quads)], minlength=4).tolist()
     off = float(found.off.max())
     kept = [f"kept          {len(found.kept)} points that lie on nothing: {_ids(found.kept)}"] * bool(len(found.kept))
@@ -308,7 +308,9 @@ def smooth(options):
              f"{off:.3g} off before",
              *(f"              {note}" for note in found.notes), *kept,
              _quality_line(found.before).replace("quality", "before ", 1), after,
-             _lengths_line(lengths_of(found.points, found.hexes)), _certificate_line(found.certificate),
+             _lengths_line(lengths_of(found.points, found.hexes)),
+             _certificate_line(found.certificate, "curved" in found.report),
+             *(f"curved        {sentence}" for sentence in of_curving(found.report)),
              *(f"written       {path}" for path in options.output)]
     return ({"points": len(found.points), "hexes": len(found.hexes), "quads": len(found.quads),
              "improved": found.improved, "before": found.before.as_dict(), "quality": found.quality.as_dict(),

@@ -7,6 +7,7 @@ import numpy as np
 
 import hexcon_native
 from hexcon import disk
+from hexcon.curving import curve
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.elements import elements_of
 from hexcon.files import read_mesh
@@ -20,9 +21,9 @@ MEAN_PASSES = 4     # of hexcon_native.optimize
 
 @dataclass
 class Smoothed:
-    """A mesh of order 1, with all of its points in their old rows.
+    """A mesh with all of its points in their old rows, of order 2 with middle nodes after them.
 
-    points (P,3), hexes (H,8) VTK order, quads (n,4) its boundary, outward; face_of_quad (n,): 1-based CAD face
+    points (P,3), hexes (H,8|20) VTK order, quads (n,4) its boundary, outward; face_of_quad (n,): 1-based CAD face
     certificate, quality   of the mesh as it is;  before: the Quality of the mesh that was given
     improved               False: no better mesh was found, and the points are those that were given
     dimension (P,)         0: lies at a corner of the solid, 1: on an edge, 2: on a face, 3: inside, or on nothing
@@ -47,11 +48,12 @@ class Smoothed:
     report: dict = field(default_factory=dict)
 
 
-def smooth(mesh, shape_or_file, *, tolerance=0.0, keep=False, timeout=120.0, progress=None):
+def smooth(mesh, shape_or_file, *, order=1, tolerance=0.0, keep=False, timeout=120.0, progress=None):
     """Smooth a hex mesh on the solid that it meshes, hexes and boundary together; a Smoothed.
 
     mesh           mesh-like: .points, .hexes (H,8|20); or the path of a hex mesh file. Of order 2 the corners count
     shape_or_file  the solid: as of quads.surface_from_solid
+    order          of the mesh that comes out; 2: its edges are curved on the solid, see curving.curve
     tolerance      how far a point of the boundary may be off the solid and is still taken to lie on it, in the unit of
                    both; 0: 1/100 of the boundary edges about the point
     keep           True: points that lie on nothing are kept where they are; False: they are refused. More than half
@@ -69,6 +71,8 @@ def smooth(mesh, shape_or_file, *, tolerance=0.0, keep=False, timeout=120.0, pro
     Cost: some Newton steps on the mesh, and for curves and patches without a closed form (splines; several faces) a
     projection by gmsh for each of their points and each step.
     """
+    if order not in (1, 2):
+        raise ToolError(f"order must be 1 or 2, not {order!r}", FaultCode.BAD_OPTION)
     check_number("tolerance", tolerance, at_least_zero=True)
     check_number("timeout", timeout)
     if isinstance(mesh, (str, os.PathLike)):
@@ -82,8 +86,14 @@ def smooth(mesh, shape_or_file, *, tolerance=0.0, keep=False, timeout=120.0, pro
     after = hexcon_native.certify(after_points, hexes, quads), hexcon_native.quality(after_points, hexes)
     improved = _rank(*after) > _rank(*before)
     certificate, quality = after if improved else before
-    return Smoothed(after_points if improved else points, hexes, quads, found["faces"], certificate, quality, before[1],
-                    improved, found["dimension"], found["off"], found["kept"], [str(n) for n in found["notes"]])
+    smoothed = Smoothed(after_points if improved else points, hexes, quads, found["faces"], certificate, quality,
+                        before[1], improved, found["dimension"], found["off"], found["kept"],
+                        [str(n) for n in found["notes"]])
+    if order == 2:
+        smoothed.points, smoothed.hexes = hexcon_native.raise_order(smoothed.points, hexes)
+        smoothed.order = order
+        curve(smoothed, shape_or_file, timeout=timeout, progress=progress)
+    return smoothed
 
 
 def _relaxed(given, shape_or_file, job, timeout, progress):

@@ -59,6 +59,7 @@ def unfolded(points, hexes, bend, boundary, progress):
         factor[folded] *= kept
         np.minimum.at(scale, hexes[folded, 8:], scale[hexes[folded, 8:]] * kept[:, None])
         folded = _folded(points + bend * scale[:, None], hexes, least)
+        folded = folded[factor[folded] > 0.0]       # nothing is left of the others' curvature
     return Unfolded(points + bend * scale[:, None], factor, inner)
 
 
