@@ -5,11 +5,14 @@ from dataclasses import dataclass, field
 import gmsh
 import numpy as np
 
+from ..layered.roles import PARALLEL
+from .features import together
+
 ROOMS = (1.6, 1.3)          # half widths of a box to try, in radii of the feature
-NARROW, LEAST = 1.3, 1.04   # the least half width, and how near a plane may be, in radii
-BROAD, APART = 2.5, 0.8     # the widest, in radii, and what of the size is to be beside a small feature
+NARROW, LEAST = 0.3, 0.04   # what must be beside it, and how near a plane may be, in radii
+BROAD, APART = 1.5, 0.8     # the most of that, in radii, and what of the size is to be beside a small feature
 BESIDE = 0.6                # of the size: what is left between a box and a plane, at least, or nothing
-PLANE = 1e-9                # of a normal, that is off
+PLANE, SAME = 1e-9, 1e-6     # of a normal, that is off; of the diagonal: nearer is one place
 
 
 @dataclass
@@ -57,25 +60,45 @@ class Box:
         return np.stack(on, 1) & inside[:, None]
 
 
-def box_round(feature, shape, size, room):
-    """The Box of a feature: away from planes of the solid, or with sides in them; room: of ROOMS."""
+def boxes_round(found, shape, size, room):
+    """[Box] of features; those with parallel axes whose boxes would overlap have one in common. room: of ROOMS."""
+    boxes = [_box_round(feature, shape, size, room) for feature in found]
+    for k, box in enumerate(boxes):
+        for j in range(k):
+            if _overlap(boxes[j], box):
+                rest = [f for n, f in enumerate(found) if n not in (j, k)]
+                return boxes_round([*rest, together(found[j], found[k])], shape, size, room)
+    return boxes
+
+
+def _overlap(box, other):
+    if np.linalg.norm(np.cross(box.feature.axis, other.feature.axis)) > PARALLEL:
+        return False
+    corners = box.feature.local(other.feature.place(np.column_stack([np.zeros(4), other.corners()])))[:, 1:]
+    return bool((corners.min(0) < box.high + box.near).all() and (corners.max(0) > box.low - box.near).all())
+
+
+def _box_round(feature, shape, size, room):
+    """The Box of a feature: away from planes of the solid, or with sides in them."""
     solid = shape.solid
-    wide = max(room * feature.radius, min(feature.radius + APART * size, BROAD * feature.radius) * (room == ROOMS[0]))
     sides = np.stack([np.cross(feature.up, feature.axis), feature.up])
     planes = [[float((c.origin - feature.origin) @ side) for c in shape.carriers.values()
                if c.kind == "Plane" and abs(c.axis @ side) > 1 - PLANE] for side in sides]
-    low = np.array([-_side([-p for p in of_side], feature.radius, wide, BESIDE * size) for of_side in planes])
-    high = np.array([_side(of_side, feature.radius, wide, BESIDE * size) for of_side in planes])
+    scale = feature.scale
+    beside = max((room - 1) * scale, min(APART * size, BROAD * scale) * (room == ROOMS[0]))
+    low = np.array([-_side([-p for p in of_side], -end, scale, beside, BESIDE * size)
+                    for of_side, end in zip(planes, feature.low)])
+    high = np.array([_side(of_side, end, scale, beside, BESIDE * size) for of_side, end in zip(planes, feature.high)])
     along = feature.local(list(solid.vertex.values()))[:, 0]
-    return Box(feature, low, high, (along.min() - solid.diagonal, along.max() + solid.diagonal), 1e-6 * solid.diagonal)
+    return Box(feature, low, high, (along.min() - solid.diagonal, along.max() + solid.diagonal), SAME * solid.diagonal)
 
 
-def _side(planes, radius, wide, beside):
-    """Where a side of a box is: away from planes beyond it, or in one."""
-    beyond = min((p for p in planes if p > LEAST * radius), default=np.inf)
-    if beyond > wide + beside:
-        return wide
-    return beyond - beside if beyond - beside > NARROW * radius else beyond
+def _side(planes, end, scale, beside, left):
+    """Where a side of a box is, beside what ends there: away from planes beyond, or in one."""
+    beyond = min((p for p in planes if p > end + LEAST * scale), default=np.inf)
+    if beyond > end + beside + left:
+        return end + beside
+    return beyond - left if beyond - left > end + NARROW * scale else beyond
 
 
 def intervals(length, size):

@@ -8,17 +8,25 @@ from ..layered.fault import NotLayered
 from ..layered.roles import PARALLEL, Role
 
 TURNED = ("Cylinder", "Cone", "Torus")
+SAMPLES = 33        # of an edge: with its quarters, where a circle reaches farthest
 
 
 @dataclass
 class Feature:
-    """axis, origin (3,): of all its faces; up (3,): the layers' direction; faces; radius: they reach so far."""
+    """axis, origin (3,): of its faces; up (3,): the layers' direction; faces; low, high (2,): where they end, across
+    the axis and up from it."""
 
     axis: np.ndarray
     origin: np.ndarray
     up: np.ndarray
     faces: list
-    radius: float = 0.0
+    low: np.ndarray = None
+    high: np.ndarray = None
+
+    @property
+    def scale(self):
+        """The radius of what is round."""
+        return float((self.high - self.low).min() / 2)
 
     def local(self, points):
         """(n,3): along the axis, across it, up from it."""
@@ -44,8 +52,16 @@ def features(shape, direction, roles):
         else:
             found.append(Feature(carrier.axis, carrier.origin, direction, [face]))
     for feature in found:
-        feature.radius = max(_reach(shape.solid, face, feature) for face in feature.faces)
+        feature.low, feature.high = _reach(shape.solid, feature)
     return found
+
+
+def together(feature, other):
+    """Two features with parallel axes as one, about the first one's axis."""
+    (y0, z0), (y1, z1) = other.low, other.high
+    corners = feature.local(other.place([(0.0, y, z) for y in (y0, y1) for z in (z0, z1)]))[:, 1:]
+    return Feature(feature.axis, feature.origin, feature.up, feature.faces + other.faces,
+                   np.minimum(feature.low, corners.min(0)), np.maximum(feature.high, corners.max(0)))
 
 
 def _coaxial(feature, carrier, scale):
@@ -53,6 +69,8 @@ def _coaxial(feature, carrier, scale):
     return abs(carrier.axis @ feature.axis) > 1.0 - PARALLEL ** 2 and np.linalg.norm(off) < 1e-6 * scale
 
 
-def _reach(solid, face, feature):
-    points = np.concatenate([solid.edge_points(e, np.linspace(0, 1, 17)) for e in solid.boundary[face]])
-    return float(np.linalg.norm(feature.local(points)[:, 1:], axis=1).max())
+def _reach(solid, feature):
+    points = np.concatenate([solid.edge_points(e, np.linspace(0.0, 1.0, SAMPLES))
+                             for face in feature.faces for e in solid.boundary[face]])
+    local = feature.local(points)[:, 1:]
+    return local.min(0), local.max(0)

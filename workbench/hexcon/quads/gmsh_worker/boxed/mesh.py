@@ -3,6 +3,7 @@
 import contextlib
 import os
 import tempfile
+from dataclasses import dataclass
 
 import gmsh
 
@@ -12,22 +13,29 @@ from ..layered.fault import NotLayered
 from ..layered.mesh import Standing
 from ..layered.roles import Shape
 from . import parts, seam
-from .box import ROOMS, box_round
+from .box import ROOMS, boxes_round
 from .features import features
 from .whole import cad_faces, joined
 
 MOST_ROUNDS = 5     # of finding lines that meet boxes: each is a cut of the solid
 
 
+@dataclass
+class BoxedMesh(LayeredMesh):
+    """boxes: how many; levels, rings: outside of them; flat: of the part that is worst."""
+
+    boxes: int
+
+
 def boxed_mesh(shape, skin, direction, size, link):
-    """The extrude.LayeredMesh of a roles.Shape, its inner points not yet improved; flat: of the part that is worst.
+    """The BoxedMesh of a roles.Shape, its inner points not yet improved.
 
     skin: whole.Skin of the solid. Raises NotLayered.
     """
     told, across = [], features(shape, direction, shape.roles(direction))
     for room in ROOMS:
         try:
-            return _with_boxes(shape, skin, [box_round(f, shape, size, room) for f in across], direction, size, link)
+            return _with_boxes(shape, skin, boxes_round(across, shape, size, room), direction, size, link)
         except NotLayered as fault:
             told.append(str(fault))
     raise NotLayered("; ".join(dict.fromkeys(told)))
@@ -50,8 +58,8 @@ def _with_boxes(shape, skin, boxes, direction, size, link):
     points, hexes, quads, owner = joined(rest, pieces, skin, near)
     faces = cad_faces(shape, skin, points, quads, owner, near)
     flats = [mesh.flat for mesh in [*rest, *(mesh for _, mesh in pieces)]]
-    return LayeredMesh(points, hexes, quads, faces, sum(m.rings for m in rest), sum(m.levels for m in rest),
-                       min(flats, key=lambda flat: flat.limit), rest[0].plane)
+    return BoxedMesh(points, hexes, quads, faces, sum(m.rings for m in rest), sum(m.levels for m in rest),
+                     min(flats, key=lambda flat: flat.limit), rest[0].plane, len(boxes))
 
 
 @contextlib.contextmanager

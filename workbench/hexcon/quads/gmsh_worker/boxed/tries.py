@@ -5,7 +5,7 @@ import time
 from ..fault import WorkerFault
 from ..layered.fault import NotLayered
 from ..layered.roles import Role, Shape
-from ..layered.tries import DIRECTIONS, SHARE, judged, search, surface_of
+from ..layered.tries import DIRECTIONS, judged, search, surface_of
 from .features import features
 from .mesh import boxed_mesh
 from .whole import Skin
@@ -13,6 +13,7 @@ from .whole import Skin
 TRIED = 2           # directions
 MOST_CROSS = 0.5    # part of the area that features across the layers may have
 MOST_FEATURES = 24
+SHARE = 0.15        # of the time limit, in processor time: no try is begun then
 
 
 def boxed_surface(solid, size, link, timeout, care=0):
@@ -33,7 +34,7 @@ def boxed_surface(solid, size, link, timeout, care=0):
         shape, boxed_mesh(shape, skin, direction, size * factor, link), direction, factor), begun + SHARE * timeout)
     if best is None:
         raise WorkerFault("NOT_BOXED", "; ".join(faults) or "no time left")
-    boxes = len(features(shape, best.direction, shape.roles(best.direction)))
+    boxes = best.mesh.boxes
     return surface_of(best, faults, "boxed", f"{boxes} box{'es' * (boxes > 1)}, ")
 
 
