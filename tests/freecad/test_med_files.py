@@ -45,3 +45,19 @@ def test_check_and_solve_take_documents(freecad, tmp_path, capsys):
     assert main(["check", str(tmp_path / "m.FCStd")]) == 0
     assert main(["solve", str(tmp_path / "m.FCStd"), "--fixed", "Face5", "--force", "Face6=0,0,100"]) == 0
     assert "deflection" in capsys.readouterr().out
+
+
+def test_a_scale_for_the_file_of_a_quad_surface(freecad, tmp_path):
+    """A property of the object: with another one the quads are made anew."""
+    from deck_texts import SHELL
+
+    from hexcon.document.making_quads import import_quad_surface
+    (tmp_path / "m.inp").write_text(SHELL, encoding="ascii")
+    made = import_quad_surface(tmp_path / "m.inp", scale=25.4)
+    try:
+        assert made.FemMesh.BoundBox.ZMax == pytest.approx(762) and made.Scale == 25.4
+        made.Scale = 2.0
+        made.Document.recompute()
+        assert made.FemMesh.BoundBox.ZMax == pytest.approx(60)
+    finally:
+        freecad.closeDocument(made.Document.Name)

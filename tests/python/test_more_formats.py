@@ -336,8 +336,8 @@ def test_damaged_text_is_refused_by_its_name(tmp_path, seed):
         name, text = own[rng.integers(len(own))]
         start = int(rng.integers(len(text)))
         end = start + int(rng.choice([0, 1, 3, 40]))
-        piece = ("", text[:start][-30:], "-1", "1e400", "nan", str(10 ** 30), "x", ",,", "*", "\n", " 0 "
-                                                                                                    "")[rng.integers(11)]
+        pieces = ("", text[:start][-30:], "-1", "1e400", "nan", str(10 ** 30), "x", ",,", "*", "\n", " 0 ")
+        piece = pieces[rng.integers(len(pieces))]
         path = tmp_path / f"m.{name.rsplit('.')[-1]}"
         path.write_text(text[:start] + piece + (text[end:] if rng.random() < 0.9 else ""), encoding="ascii")
         for read in (surface_from_file, read_mesh):

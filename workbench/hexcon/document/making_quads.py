@@ -43,13 +43,15 @@ def make_quad_surface(source, size=None, *, method="auto", local_sizes=(), per_t
     return _new_quad_surface(source.Document, settings)
 
 
-def import_quad_surface(path, document=None):
+def import_quad_surface(path, document=None, *, scale=1.0, merge_tolerance=0.0):
     """A quad surface object with the quads of a mesh file (hexcon.quads.files.MESH_ENDINGS).
 
+    scale     what its lengths are multiplied by: 1000 where they are metres;  merge_tolerance: mm, points nearer than
+              this become one, 0: only where the surface is open
     document  None: the active one, or a new one. The object is made anew on recompute when the
     file has changed. Raises HexconError: those of hexcon.quads.surface_from_file.
     """
-    settings = {"file": str(path)}
+    settings = {"file": str(path), "scale": float(scale), "merge_tolerance": float(merge_tolerance)}
     mark, job = quad_surface_objects.job_of(**settings)
     surface = job(None)  # may fail: before there is a document
     app = freecad_compat.freecad()
@@ -75,7 +77,8 @@ def update_quad_surface(surface_object, **settings):
     """
     whole = {"source": surface_object.Source, "file": surface_object.File, "example": surface_object.Example,
              "size": surface_object.Size.Value, "method": surface_object.Method,
-             "local_sizes": list(surface_object.LocalSizes), "per_turn": surface_object.PerTurn, **settings}
+             "local_sizes": list(surface_object.LocalSizes), "per_turn": surface_object.PerTurn,
+             "scale": surface_object.Scale, "merge_tolerance": surface_object.MergeTolerance.Value, **settings}
     mark, job = quad_surface_objects.job_of(**whole)
     update(surface_object, taken() or job(None), mark, settings,
             quad_surface_objects.set_settings)

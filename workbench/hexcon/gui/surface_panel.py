@@ -70,7 +70,7 @@ class SurfacePanel(Panel):
         kept = {"source": self.source}
         if self.edited:
             kept.update(file=about.File, example=about.Example, local_sizes=list(about.LocalSizes),
-                        per_turn=about.PerTurn)
+                        per_turn=about.PerTurn, scale=about.Scale, merge_tolerance=about.MergeTolerance.Value)
         return {**kept, **self._settings()}
 
     def _outdated(self, *_):

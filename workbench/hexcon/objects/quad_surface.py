@@ -30,6 +30,10 @@ PROPERTIES = (
      False),
     ("App::PropertyInteger", "PerTurn", "HexCon", "So many quads, about, round a full turn of round faces; 0: as many "
      "as come by the size", 0, False),
+    ("App::PropertyFloat", "Scale", "HexCon", "What lengths of the file are multiplied by: 1000 where they are metres, "
+     "25.4 where they are inches", 1.0, False),
+    ("App::PropertyLength", "MergeTolerance", "HexCon", "Points of the file nearer than this become one; 0: only where "
+     "the surface is open, very near ones", 0.0, False),
     ("App::PropertyInteger", "Quads", "Result", "Number of quads", 0, True),
     ("App::PropertyBool", "Even", "Result", "The number of quads is even; only then is there a hex mesh", False, True),
     ("App::PropertyInteger", "Loops", "Result", "Number of dual loops", 0, True),
@@ -51,11 +55,12 @@ PROPERTIES = (
 )
 
 
-def job_of(source=None, file="", example="", size=1.0, method="auto", local_sizes=(), per_turn=0):
+def job_of(source=None, file="", example="", size=1.0, method="auto", local_sizes=(), per_turn=0, scale=1.0,
+           merge_tolerance=0.0):
     """(fingerprint, job(progress) -> QuadSurface) of one source; None where there is none.
 
-    source is a document object, file the path of a mesh file, example a name that
-    hexcon.example knows. Raises HexconError for a source that cannot be read.
+    source is a document object, file the path of a mesh file (scale and merge_tolerance, mm, are for it), example a
+    name that hexcon.example knows. Raises HexconError for a source that cannot be read.
     """
     if source is not None and hasattr(source, "FemMesh"):
         found = surface_from_object(source)
@@ -70,7 +75,13 @@ def job_of(source=None, file="", example="", size=1.0, method="auto", local_size
     if example:
         return fingerprint("example", example), lambda progress: examples.example(example)
     if file:
-        return _file_mark(file), lambda progress: surface_from_file(file, progress=raising(progress))
+        if not 0.0 < scale < float("inf"):
+            raise ToolError(f"a scale above zero is needed, not {scale:g}", FaultCode.BAD_OPTION)
+        mark = _file_mark(file)
+        if scale != 1.0 or merge_tolerance:
+            mark = fingerprint(mark, float(scale), float(merge_tolerance))
+        return mark, lambda progress: surface_from_file(file, scale=scale, merge_tolerance=merge_tolerance or None,
+                                                        progress=raising(progress))
     return None
 
 
@@ -117,7 +128,8 @@ class QuadSurfaceObject(Parametric):
     @staticmethod
     def first_try(obj):
         """job_of for what the object says: the quads of the size asked for."""
-        return job_of(obj.Source, obj.File, obj.Example, obj.Size.Value, obj.Method, list(obj.LocalSizes), obj.PerTurn)
+        return job_of(obj.Source, obj.File, obj.Example, obj.Size.Value, obj.Method, list(obj.LocalSizes), obj.PerTurn,
+                      obj.Scale, obj.MergeTolerance.Value)
 
     def store(self, obj, result):
         facts = facts_of(result)
@@ -223,6 +235,7 @@ def add_quad_surface(document, surface, mark, settings, name="QuadSurface"):
 def set_settings(obj, settings):
     """Set the inputs by job_of's names."""
     names = {"source": "Source", "file": "File", "example": "Example", "size": "Size", "method": "Method",
-             "local_sizes": "LocalSizes", "per_turn": "PerTurn"}
+             "local_sizes": "LocalSizes", "per_turn": "PerTurn", "scale": "Scale",
+             "merge_tolerance": "MergeTolerance"}
     for key, value in settings.items():
         setattr(obj, names[key], value)
