@@ -6,6 +6,13 @@
 #include "hexcon.h"
 #include "stages.h"
 
+/* Of the C library that is linked: gcc takes Windows' for that of 1998, which knows no %zu. */
+#ifdef __MINGW32__
+#define CONTEXT_PRINTF gnu_printf
+#else
+#define CONTEXT_PRINTF printf
+#endif
+
 /** At most this many offending ids are kept; include/hexcon.h promises it. */
 #define CONTEXT_MAX_ELEMENTS 1000
 
@@ -40,7 +47,7 @@ void context_add_element(hexcon_context *context, int32_t element);
 
 /** Store the words (printf) of a fault and return its status. */
 hexcon_status context_fail(hexcon_context *context, hexcon_status status, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
+    __attribute__((format(CONTEXT_PRINTF, 3, 4)));
 
 /** Seconds since an arbitrary start. */
 double context_clock(void);

@@ -3,12 +3,12 @@
 
 #include <stdatomic.h>
 #include <string.h>
-#include <threads.h>
-#include <unistd.h>
+
+#include "system_threads.h"
 
 typedef struct shared_work {
   hexcon_context *parent;
-  mtx_t allocation; /* the caller's allocator need not be safe for threads */
+  system_lock allocation; /* the caller's allocator need not be safe for threads */
   atomic_size_t next;
   atomic_bool stopped;
   size_t count;
@@ -25,15 +25,15 @@ typedef struct worker {
 } worker;
 
 int workers_count(int wanted) {
-  long processors = wanted > 0 ? wanted : sysconf(_SC_NPROCESSORS_ONLN);
+  long processors = wanted > 0 ? wanted : system_processors();
   return processors < 1 ? 1 : processors > WORKERS_MAX ? WORKERS_MAX : (int)processors;
 }
 
 static void *locked_reallocate(void *user, void *memory, size_t size) {
   shared_work *shared = user;
-  (void)mtx_lock(&shared->allocation);
+  system_lock_take(&shared->allocation);
   void *result = shared->parent->reallocate(shared->parent->reallocate_user, memory, size);
-  (void)mtx_unlock(&shared->allocation);
+  system_lock_give(&shared->allocation);
   return result;
 }
 
@@ -50,7 +50,7 @@ static bool report(void *user, const char *stage, double fraction) {
   return context_report(shared->parent, shared->stage, (double)begun / (double)shared->count);
 }
 
-static int run_worker(void *argument) {
+static void run_worker(void *argument) {
   worker *w = argument;
   shared_work *shared = w->shared;
   while (!w->status && !atomic_load(&shared->stopped)) {
@@ -61,7 +61,6 @@ static int run_worker(void *argument) {
   }
   if (w->status)
     atomic_store(&shared->stopped, true);
-  return 0;
 }
 
 /** Faults of the calling thread come first: it alone knows of a real cancellation. */
@@ -79,11 +78,13 @@ static hexcon_status take_fault(hexcon_context *context, const worker *workers, 
 }
 
 static void run_threads(shared_work *shared, worker *workers, int count) {
-  thrd_t threads[WORKERS_MAX];
+  system_thread threads[WORKERS_MAX];
+  system_task tasks[WORKERS_MAX];
   int started = 1;
   for (int i = 0; i < count; i++) {
     workers[i].shared = shared;
     workers[i].number = i;
+    tasks[i] = (system_task){run_worker, &workers[i]};
     workers[i].context.reallocate = locked_reallocate;
     workers[i].context.reallocate_user = shared;
     workers[i].context.progress = report;
@@ -93,12 +94,11 @@ static void run_threads(shared_work *shared, worker *workers, int count) {
     workers[i].context.budget = shared->parent->budget;
     workers[i].context.stage = shared->stage;
   }
-  while (started < count &&
-         thrd_create(&threads[started], run_worker, &workers[started]) == thrd_success)
+  while (started < count && system_thread_start(&threads[started], &tasks[started]))
     started++;
-  (void)run_worker(&workers[0]);
+  run_worker(&workers[0]);
   for (int i = 1; i < started; i++)
-    (void)thrd_join(threads[i], NULL);
+    system_thread_join(threads[i]);
 }
 
 hexcon_status workers_run(hexcon_context *context, int threads, size_t count, progress_stage stage,
@@ -113,9 +113,9 @@ hexcon_status workers_run(hexcon_context *context, int threads, size_t count, pr
   atomic_init(&shared.next, 0);
   atomic_init(&shared.stopped, false);
   hexcon_status status = HEXCON_OUT_OF_MEMORY;
-  if (mtx_init(&shared.allocation, mtx_plain) == thrd_success) {
+  if (system_lock_begin(&shared.allocation)) {
     run_threads(&shared, workers, threads);
-    mtx_destroy(&shared.allocation);
+    system_lock_end(&shared.allocation);
     status = take_fault(context, workers, threads);
   } else {
     (void)context_fail(context, HEXCON_OUT_OF_MEMORY, "no lock for %d threads", threads);

@@ -53,7 +53,7 @@ static bool read_arrays(const small_filling_record *record, small_filling *out) 
     const int32_t steps = read_number(record->places + PLACE_DIGITS * i, PLACE_DIGITS);
     if (steps < 0)
       return false;
-    out->places[i] = 2.0 * steps / PLACE_STEPS - 1;
+    out->places[i] = 2.0 * steps / (double)PLACE_STEPS - 1;
   }
   return true;
 }

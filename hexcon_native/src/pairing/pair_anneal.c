@@ -103,12 +103,12 @@ static hexcon_status tell(pair_rewiring *r, const pair_schedule *schedule, int s
     return HEXCON_OK;
   r->told = r->work;
   return context_progress(r->context, STAGE_PAIRING,
-                          schedule->done + schedule->share * step / STEPS);
+                          schedule->done + schedule->share * step / (double)STEPS);
 }
 
 static hexcon_status run_step(pair_rewiring *r, const pair_schedule *schedule, int step,
                               double temperature, uint64_t *random, pair_record *record) {
-  double work = (double)schedule->work / STEPS, way = 0;
+  double work = (double)schedule->work / (double)STEPS, way = 0;
   uint64_t before = r->work;
   hexcon_status status = HEXCON_OK;
   while (!status && way < 1) {

@@ -88,7 +88,7 @@ static void multiply(void *user, const double *in, double *out) {
     const int32_t *edges = s->edges + PATCH_EDGES * h;
     double mean = 0;
     for (int e = 0; e < PATCH_EDGES; e++)
-      mean += in[edges[e]] / PATCH_EDGES;
+      mean += in[edges[e]] / (double)PATCH_EDGES;
     for (int e = 0; e < PATCH_EDGES; e++) {
       int first = e & ~3; /* two of the four edges along the axis are opposite in a face */
       double own = in[edges[e]];

@@ -15,7 +15,7 @@ static double inverse_mean(const patch *p, size_t hex, double lengths[PATCH_EDGE
   patch_edge_lengths(p, hex, lengths);
   for (int e = 0; e < PATCH_EDGES; e++)
     sum += lengths[e];
-  return sum > 0 ? PATCH_EDGES / sum : 1;
+  return sum > 0 ? (double)PATCH_EDGES / sum : 1;
 }
 
 void target_cubes(patch *p) {

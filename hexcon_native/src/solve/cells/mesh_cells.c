@@ -257,7 +257,7 @@ hexcon_status mesh_cells(hexcon_context *context, const surface *s,
   hexcon_status status = prepare(context, s, options, &p);
   size_t tried = 0;
   for (; !status && tried < ATTEMPTS && !is_good(&p, &best); tried++) {
-    if ((double)tried >= context_patience(context) * FOR_QUALITY && best.mesh.points &&
+    if ((double)tried >= context_patience(context) * (double)FOR_QUALITY && best.mesh.points &&
         best.mesh.inverted == 0)
       break;
     if (tried > 1 && is_hopeless(&best))

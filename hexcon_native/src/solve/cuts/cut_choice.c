@@ -240,7 +240,7 @@ static size_t loops_of_kind(const surface *s, const cutting_loop *cutting, size_
   size_t kinds = 0;
   for (size_t first = 0; first < count; first = end_of_kind(cutting, first, count))
     kinds++;
-  double loops = most_passages / ((double)kinds * DISC_SHAPES_MOST * (double)s->quad_count);
+  double loops = most_passages / ((double)kinds * (double)DISC_SHAPES_MOST * (double)s->quad_count);
   return (size_t)fmin(fmax(loops, 1), LOOPS_OF_KIND);
 }
 

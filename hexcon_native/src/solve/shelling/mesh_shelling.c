@@ -134,7 +134,7 @@ static hexcon_status try_promising(hexcon_context *context, shelling *w,
 
 static size_t width_for(size_t quads) {
   double part = (double)WIDE_QUADS / (double)quads;
-  return (size_t)fmin(MOST_WIDTH, fmax(LEAST_WIDTH, WIDTH * part * sqrt(part)));
+  return (size_t)fmin(MOST_WIDTH, fmax(LEAST_WIDTH, (double)WIDTH * part * sqrt(part)));
 }
 
 static bool is_tired(const hexcon_context *context, const shelling *w) {

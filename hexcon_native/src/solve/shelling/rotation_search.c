@@ -114,7 +114,7 @@ static bool weigh(const rotation_search *search, rotated_surface *from, edge_rot
   size_t more = shell >= shells ? shell + 1u : shells;
   out->score = (double)(c.of_themselves + c.in_excess) +
                irregularity_weight * (from->irregularity + change) +
-               shell_weight * (double)more * (double)s->quad_count / CELL_HEXES;
+               shell_weight * (double)more * (double)s->quad_count / (double)CELL_HEXES;
   out->key =
       from->key ^ edge_key(corners[0], corners[3]) ^ edge_key(corners[r.step], corners[r.step + 3]);
   out->rotation = r;
