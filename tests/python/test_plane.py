@@ -5,6 +5,7 @@ import pytest
 
 from hexcon.quads.gmsh_worker.plane.mesher import NoPlaneMesh, mesh_plane
 from hexcon.quads.gmsh_worker.plane.region import PlaneRegion
+from hexcon.quads.gmsh_worker.plane.split import split_mesh
 from hexcon.quads.gmsh_worker.plane.wishes import wishes
 
 
@@ -130,3 +131,38 @@ def test_wishes_of_a_square_a_disc_and_a_ring():
     assert [row.multiple for row in wishes([np.zeros(1)], [np.array([12.0])])] == [2, 4]
     rows = wishes([np.zeros(1)] * 2, [np.array([12.0]), np.array([8.0])])
     assert [row.multiple for row in rows] == [2, 2, 0] and rows[2].terms == {(0, 0): 1, (1, 0): -1}
+
+
+# ------------------------------------------------------------------------------------------------------ splits
+
+def star(rng, count, low, high, sense=1):
+    """(count,2) points round the origin at random distances, at even angles."""
+    angle = sense * 2 * np.pi * np.arange(count) / count
+    return rng.uniform(low, high, count)[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_splits_of_ragged_regions(seed):
+    """Each edge in two quads or on the boundary, no other boundary, no point unused."""
+    rng = np.random.default_rng(seed)
+    loops = [star(rng, 2 * rng.integers(6, 14), 2.5, 4.0)] + \
+        [star(rng, 2 * rng.integers(4, 7), 0.8, 1.6, -1)] * int(seed % 2)
+    points, quads = split_mesh(loops)
+    given = np.concatenate(loops)
+    assert np.array_equal(points[:len(given)], given) and set(quads.ravel()) == set(range(len(points)))
+    edges = [(a, b) for quad in quads.tolist() for a, b in zip(quad, quad[1:] + quad[:1])]
+    assert len(set(edges)) == len(edges)
+    start, outline = 0, set()
+    for loop in loops:
+        outline |= {(start + k, start + (k + 1) % len(loop)) for k in range(len(loop))}
+        start += len(loop)
+    assert {e for e in edges if e[::-1] not in set(edges)} == outline
+
+
+def test_a_narrow_bend_is_meshed_without_gmsh():
+    """Rounded by fillets at both sides, less than an element wide: no template has it."""
+    bend = [(0, 0), (2, 0), (4, 0), (4, 1.5), (4, 3), (3.2, 3), (2.9, 2.9), (2.8, 2.6), (2.8, 1.3), (2.6, 0.9),
+            (2.2, 0.7), (0, 0.7)]
+    region = PlaneRegion([np.array(bend, float)])
+    mesh = mesh_plane(region, 2.0, paving=False)
+    assert not faults(region, mesh) and mesh.low > 0.2

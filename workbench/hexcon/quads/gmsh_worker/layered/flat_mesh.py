@@ -11,7 +11,10 @@ from ..plane.wishes import wishes
 from .divisions import divide, ideal_counts
 from .fault import NotLayered
 
-ATTEMPTS = ((1.0, False), (1.0, True), (0.88, False), (0.8, True))     # (part of the size, every piece even)
+# (part of the size, every piece even, longest interval beside a region, in widths of it)
+ATTEMPTS = ((1.0, False, None), (1.0, True, None), (1.0, False, 3.0), (0.88, True, 2.0), (0.8, False, 1.2))
+NARROWEST = 0.12    # of the size: no intervals shorter than this are made for the sake of narrow regions
+PAVED = 2           # attempts that are made again with gmsh, where none is good enough without
 ENOUGH = 0.6        # of what corners allow, in the worst quad: with it no other attempt is made
 
 
@@ -35,28 +38,31 @@ def flat_mesh(arrangement, used, size, link, fixed=None):
     pieces = sorted({c for r in used for loop in arrangement.regions[r].loops for c, _ in loop})
     outlines = {r: _Outline(arrangement, arrangement.regions[r].loops) for r in used}
     held = {k: n for k, c in enumerate(pieces) if fixed and (n := fixed(arrangement.pieces[c]))}
+    regions = _Regions(arrangement, outlines, size, link)
     best, fault = None, None
-    for part, even in ATTEMPTS:
-        try:
-            counts = _counts(arrangement, pieces, outlines, size * part, even, held)
-            made = _meshed(arrangement, pieces, outlines, counts, size, link)
-        except (NotLayered, NoPlaneMesh) as error:
-            fault = error
-            continue
-        if best is None or made.share > best.share + 0.05:
-            best = made
-        if best.share > ENOUGH:
-            break
+    for paving, attempts in ((False, ATTEMPTS), (True, ATTEMPTS[:PAVED])):     # gmsh takes its time, and may crash
+        for part, even, widths in attempts:
+            try:
+                sizes = _sizes(arrangement, pieces, outlines, size * part, widths)
+                made = regions.meshed(_counts(arrangement, pieces, outlines, sizes, even, held), paving)
+            except (NotLayered, NoPlaneMesh) as error:
+                fault = error
+                continue
+            if best is None or made.share > best.share + 0.05:
+                best = made
+            if best.share > ENOUGH:
+                return best
     if best is None:
         raise NotLayered(str(fault))
     return best
 
 
 class _Outline:
-    """loops: begun at a corner where there is one; turns: per loop and piece, radians to the left at its start."""
+    """loops: begun at a corner where there is one; turns: per loop and piece, radians to the left at its start; ways:
+    radians of straight pieces' directions, NaN of curved ones."""
 
     def __init__(self, arrangement, loops):
-        self.loops, self.turns = [], []
+        self.loops, self.turns, self.ways = [], [], []
         for loop in loops:
             lines = [arrangement.pieces[c].line if f else arrangement.pieces[c].line[::-1] for c, f in loop]
             into = [np.arctan2(*(line[-1] - line[-2])[::-1]) for line in lines]
@@ -68,6 +74,7 @@ class _Outline:
             first = int(corners[0]) if len(corners) else 0
             self.loops.append(loop[first:] + loop[:first])
             self.turns.append(np.roll(turns, -first))
+            self.ways.append(np.roll([o if len(line) == 2 else np.nan for o, line in zip(out, lines)], -first))
 
 
 def _bend(line):
@@ -78,22 +85,32 @@ def _bend(line):
     return float(np.arctan2(d[0, 0] * d[1, 1] - d[0, 1] * d[1, 0], d[0] @ d[1]))
 
 
-def _counts(arrangement, pieces, outlines, size, even, held):
+def _sizes(arrangement, pieces, outlines, size, widths):
+    """(n,) longest intervals of pieces: shorter beside narrow regions, whose sides must be divided alike."""
+    sizes = np.full(len(pieces), size)
+    row_of = {c: k for k, c in enumerate(pieces)}
+    for r, outline in outlines.items() if widths else ():
+        rows = [row_of[c] for loop in outline.loops for c, _ in loop]
+        sizes[rows] = np.minimum(sizes[rows], max(widths * arrangement.regions[r].width, NARROWEST * size))
+    return sizes
+
+
+def _counts(arrangement, pieces, outlines, sizes, even, held):
     """{piece: intervals}. held: row of a piece -> its number."""
     row_of = {c: k for k, c in enumerate(pieces)}
-    ideal, least = ideal_counts([arrangement.pieces[c] for c in pieces], size)
+    ideal, least = ideal_counts([arrangement.pieces[c] for c in pieces], sizes)
     for k, n in held.items():
         ideal[k], least[k] = n, n
     rows = [({k: 1}, 2, None) for k in range(len(pieces)) if k not in held] if even else []
     for outline in outlines.values():
-        rows += _rows([[row_of[c] for c, _ in loop] for loop in outline.loops], outline.turns, ideal)
+        rows += _rows([[row_of[c] for c, _ in loop] for loop in outline.loops], outline, ideal)
     return dict(zip(pieces, divide(ideal, least, rows, held).tolist()))
 
 
-def _rows(loops, turns, ideal):
+def _rows(loops, outline, ideal):
     """What a region wishes, as divide takes it."""
     rows = []
-    for wish in wishes(turns, [ideal[loop] for loop in loops]):
+    for wish in wishes(outline.turns, [ideal[loop] for loop in loops], outline.ways):
         terms = {}
         for (loop, edge), factor in wish.terms.items():
             terms[loops[loop][edge]] = terms.get(loops[loop][edge], 0) + factor
@@ -101,31 +118,61 @@ def _rows(loops, turns, ideal):
     return rows
 
 
-def _meshed(arrangement, pieces, outlines, counts, size, link):
-    nodes = [arrangement.vertices]
-    total, on_piece, lines = len(arrangement.vertices), {}, {}
-    for c in pieces:
-        piece, n = arrangement.pieces[c], counts[c]
-        line = piece.at(np.arange(n + 1) / n)
-        line[0], line[-1] = arrangement.vertices[list(piece.ends)]
-        on_piece[c] = np.concatenate([[piece.ends[0]], total + np.arange(n - 1), [piece.ends[1]]])
-        nodes.append(line[1:-1])
-        lines[c] = line
-        total += n - 1
-    quads, worst, means, share, limit = {}, 1.0, [], 1.0, 1.0
-    for r, outline in outlines.items():
-        ids, turns = _divided(outline, on_piece)
-        flat = np.concatenate(nodes)
-        made = mesh_plane(PlaneRegion([flat[i] for i in ids], turns), size, link, f"region {r}")
-        inner = total + np.arange(len(made.points) - sum(map(len, ids)))
-        quads[r] = np.concatenate([*ids, inner])[made.quads]
-        nodes.append(made.points[len(made.points) - len(inner):])
-        total += len(inner)
-        worst, share = min(worst, made.low), min(share, made.low / max(made.limit, 0.2))
-        limit = min(limit, made.limit)
-        means.append((made.mean, len(made.quads)))
-    mean, weight = np.array(means).T
-    return FlatMesh(np.concatenate(nodes), on_piece, quads, worst, float(mean @ weight / weight.sum()), share, limit)
+class _Regions:
+    """Meshes of all regions for numbers of intervals; what was made is kept, and what failed is tried first."""
+
+    def __init__(self, arrangement, outlines, size, link):
+        self._arrangement, self._outlines, self._size, self._link = arrangement, outlines, size, link
+        self._order, self._known = list(outlines), {}
+
+    def meshed(self, counts, paving):
+        """The FlatMesh. counts: {piece: intervals}; paving: gmsh may be asked. Raises NoPlaneMesh."""
+        nodes, on_piece = self._on_pieces(counts)
+        made = {}
+        for r in list(self._order):
+            try:
+                made[r] = self._region(r, nodes, on_piece, paving)
+            except NoPlaneMesh:
+                self._order.remove(r)
+                self._order.insert(0, r)
+                raise
+        return self._assembled(made, nodes, on_piece)
+
+    def _on_pieces(self, counts):
+        vertices = self._arrangement.vertices
+        nodes, on_piece, total = [vertices], {}, len(vertices)
+        for c, n in counts.items():
+            piece = self._arrangement.pieces[c]
+            on_piece[c] = np.concatenate([[piece.ends[0]], total + np.arange(n - 1), [piece.ends[1]]])
+            nodes.append(piece.at(np.arange(1, n) / n))
+            total += n - 1
+        return np.concatenate(nodes), on_piece
+
+    def _region(self, r, nodes, on_piece, paving):
+        key = r, paving, tuple(len(on_piece[c]) for loop in self._outlines[r].loops for c, _ in loop)
+        if key not in self._known:
+            ids, turns = _divided(self._outlines[r], on_piece)
+            try:
+                self._known[key] = mesh_plane(PlaneRegion([nodes[i] for i in ids], turns), self._size, self._link,
+                                              f"region {r}", paving)
+            except NoPlaneMesh as fault:
+                self._known[key] = fault
+        if isinstance(self._known[key], NoPlaneMesh):
+            raise self._known[key]
+        return self._known[key]
+
+    def _assembled(self, made, nodes, on_piece):
+        points, quads, total = [nodes], {}, len(nodes)
+        for r, outline in self._outlines.items():
+            ids = np.concatenate(_divided(outline, on_piece)[0])
+            inner = made[r].points[len(ids):]
+            quads[r] = np.concatenate([ids, total + np.arange(len(inner))])[made[r].quads]
+            points.append(inner)
+            total += len(inner)
+        meshes = list(made.values())
+        return FlatMesh(np.concatenate(points), on_piece, quads, min(m.low for m in meshes),
+                        float(np.average([m.mean for m in meshes], weights=[len(m.quads) for m in meshes])),
+                        min(m.low / max(m.limit, 0.2) for m in meshes), min(m.limit for m in meshes))
 
 
 def _divided(outline, on_piece):

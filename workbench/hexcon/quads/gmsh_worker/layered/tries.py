@@ -14,7 +14,8 @@ from .roles import Role, Shape
 
 DIRECTIONS, TRIED = 12, 3       # directions looked at; those of them that are tried
 FACTORS = (1.0, 0.8, 0.62)      # parts of the size
-LEAST, POOR, GOOD = 0.2, 0.3, 0.6      # scaled Jacobian: refused below; smaller sizes are tried; nothing else is tried
+LEAST, POOR, GOOD = 0.15, 0.3, 0.6      # scaled Jacobian: refused below; smaller sizes are tried; nothing else is tried
+ROUNDS = 3                      # of improving the inside here; who fills the surface goes on
 HOPELESS = 0.05                 # a direction with a worse scaled Jacobian is not tried with smaller sizes
 ENOUGH = 0.7                    # of the scaled Jacobian that corners of the outlines allow: smaller is not better
 MOST_SLANTED = 0.6              # part of the area that may lie neither across a direction nor along it
@@ -126,7 +127,7 @@ def named(direction):
 
 def judged(shape, mesh, direction, factor):
     """The Layered of an extrude.LayeredMesh, whose inner points it improves."""
-    mesh.points = hn.optimize(mesh.points, mesh.hexes, threads=1)
+    mesh.points = hn.optimize(mesh.points, mesh.hexes, rounds=ROUNDS, target=GOOD, threads=1)
     proof = hn.certify(mesh.points, mesh.hexes, mesh.quads)
     return Layered(mesh, hn.quality(mesh.points, mesh.hexes), bool(proof.certified), _volume(mesh) / shape.volume - 1.0,
                    direction, factor)

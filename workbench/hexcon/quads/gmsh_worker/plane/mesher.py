@@ -9,6 +9,7 @@ from ..link import Link
 from ..smooth import evenness, merit, optimise, scaled_jacobian
 from ..templates import IF_POOR, TEMPLATES
 from .lattice import lattices_of
+from .split import split_mesh
 
 GOOD = 0.75         # a structured mesh this good, as a share of what the corners allow, is taken without gmsh
 FINE = 0.75, 0.93, 0.25     # worst as a share, mean, and quads up to four times as long as wide: no other is tried
@@ -53,12 +54,12 @@ class PlaneMesh:
         return merit(self.points, self.quads, self.limit) + BONUS * (not self.name.startswith("gmsh"))
 
 
-def mesh_plane(region, size, link=None, label="region"):
+def mesh_plane(region, size, link=None, label="region", paving=True):
     """The best PlaneMesh of a PlaneRegion.
 
     size   wanted edge length, where the boundary leaves a choice
-    link   guards calls of gmsh, which may crash; label: what to call this region there
-    Templates first; gmsh only where none of them comes near what the corners allow. Raises NoPlaneMesh.
+    link   guards calls of gmsh, which may crash; label: what to call this region there; paving: gmsh may be asked
+    Templates first; then splits, and gmsh, where none of them comes near what the corners allow. Raises NoPlaneMesh.
     Cost: a few optimisations of n quads each, O(n) an iteration.
     """
     _check(region)
@@ -69,6 +70,9 @@ def mesh_plane(region, size, link=None, label="region"):
                 if not any(mesh.is_fine for mesh in tried):
                     tried += _templated(region, size, name, counts, build)
     if max((mesh.low for mesh in tried), default=0.0) < GOOD * region.limit:
+        made = judged(region, split_mesh(region.loops), "split")
+        tried += [] if made is None else [made]
+    if paving and max((mesh.low for mesh in tried), default=0.0) < ENOUGH * region.limit:
         tried += _paved(region, size, link or Link(), label)
     if not tried:
         raise NoPlaneMesh(f"no valid quads in {label} with {len(region.boundary)} boundary points in "
