@@ -24,7 +24,7 @@ except ImportError as fault:
         f"({fault}). Build it with `make build` in HexCon's folder."
     ) from fault
 
-from .carriers import Carrier, packed  # after the guard: it reads the core
+from .carriers import Carrier, Facets, packed, packed_facets  # after the guard: it reads the core
 from .tables import (
     CARRIERS,
     GIVEN,
@@ -47,7 +47,7 @@ from .tables import (
 __version__ = _core.version()
 
 __all__ = [
-    "CARRIERS", "Carrier", "Certificate", "ErrorCode", "HEX_STAGES", "HexconError", "Loops", "METHODS", "METHOD_CHOICES", "METHOD_TABLE", "Mesh", "Method",
+    "CARRIERS", "Carrier", "Certificate", "ErrorCode", "Facets", "HEX_STAGES", "HexconError", "Loops", "METHODS", "METHOD_CHOICES", "METHOD_TABLE", "Mesh", "Method",
     "MethodTry", "PAIRINGS", "PILLOWS", "Quality", "Repaired", "STAGES", "SurfaceReport", "TOPOLOGICAL_METHODS", "certify", "check_options",
     "check_surface", "colouring", "loops", "mesh", "methods_that", "morph", "optimize", "orient", "pairing", "project_points",
     "quality", "raise_order", "relax", "repair",
@@ -861,7 +861,7 @@ class _Projector:
         return places.tobytes(), directions.tobytes()
 
 
-def _sliding(carrier_of_point, carriers, project, point_count):
+def _sliding(carrier_of_point, carriers, project, facets, point_count):
     """What points slide on, for the core."""
     numbers = _plain(carrier_of_point, "carrier_of_point")
     if numbers.shape != (point_count,):
@@ -875,25 +875,27 @@ def _sliding(carrier_of_point, carriers, project, point_count):
                           ErrorCode.INDEX_OUT_OF_RANGE, np.flatnonzero(wide)[:1000])
     if project is not None and not callable(project):
         raise _bad_option("project", project, "a callable (points, tags) or None")
-    return (np.ascontiguousarray(numbers, np.int32), *packed(carriers),
-            None if project is None else _Projector(project))
+    starts, pieces = packed(carriers)
+    return (np.ascontiguousarray(numbers, np.int32), starts, pieces,
+            None if project is None else _Projector(project), packed_facets(facets, starts))
 
 
 @_named_memory
-def project_points(points, carrier_of_point, carriers, *, project=None):
+def project_points(points, carrier_of_point, carriers, *, project=None, facets=None):
     """Put points on what they lie on: the nearest place on the nearest piece of their carrier.
 
     As relax; returns points (P, 3), and (P, 3) unit tangents of curves and normals of surfaces, 0 of points that lie
     on neither. Linear.
     """
     points = _points(points)
-    placed, directions = _core.project_points(points, *_sliding(carrier_of_point, carriers, project, len(points)))
+    placed, directions = _core.project_points(points, *_sliding(carrier_of_point, carriers, project, facets,
+                                                                  len(points)))
     return _array(placed, np.float64, 3), _array(directions, np.float64, 3)
 
 
 @_named_memory
-def relax(points, hexes, carrier_of_point, carriers, *, project=None, rounds=0, passes=0, mean_passes=0, threads=0,
-          budget=0.0, progress=None):
+def relax(points, hexes, carrier_of_point, carriers, *, project=None, facets=None, rounds=0, passes=0, mean_passes=0,
+          threads=0, budget=0.0, progress=None):
     """Untangle and smooth a hex mesh of order 1 and its boundary together: points slide on what they lie on.
 
     points, hexes     as quality; hexes may have no volume at the start
@@ -903,6 +905,9 @@ def relax(points, hexes, carrier_of_point, carriers, *, project=None, rounds=0, 
     project           callable (points (n, 3), tags (n,) int32) -> (places (n, 3), directions (n, 3)): the nearest
                       places on the carriers of kind "curve" and "surface" with these tags, and a tangent or normal
                       there, of any length but 0; called for many points at once, some 50 times
+    facets            None, or Facets: triangles that tell where each piece of a carrier counts, as surfaces go on without
+                      end; the nearest one's piece counts then. Carriers of kind "facets" are such triangles themselves,
+                      curved by their normals
     rounds            of untangling and evening (0: 16)
     passes            after that, over what is inverted and over what can be better, as optimize makes them, while
                       points slide; those that project is asked for are held. 0: none, nor any for the mean
@@ -916,7 +921,7 @@ def relax(points, hexes, carrier_of_point, carriers, *, project=None, rounds=0, 
     error's `points`. Cost: linear in the hexes, some ten Newton steps.
     """
     points, hexes = _mesh(points, hexes)
-    sliding = _sliding(carrier_of_point, carriers, project, len(points))
+    sliding = _sliding(carrier_of_point, carriers, project, facets, len(points))
     with _best_when_cancelled(points):
         _core.relax(points, hexes, *sliding, _count("rounds", rounds), _count("passes", passes),
                     _count("mean_passes", mean_passes), _count("threads", threads),

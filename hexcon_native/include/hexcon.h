@@ -515,7 +515,8 @@ hexcon_status hexcon_morph(hexcon_context *context, const double *points, size_t
   ROW(TORUS, "torus", 2,                                                                           \
       "origin its centre, axis of revolution, sizes the radii of the ring and, no larger, of the " \
       "tube")                                                                                      \
-  ROW(SURFACE, "surface", 2, "any other surface: hexcon_project is asked")
+  ROW(SURFACE, "surface", 2, "any other surface: hexcon_project is asked")                         \
+  ROW(FACETS, "facets", 2, "its facets (see hexcon_sliding), curved by their normals")
 
 #define HEXCON_CARRIER_VALUE(name, words, freedom, fields) HEXCON_CARRIER_##name,
 typedef enum hexcon_carrier_kind {
@@ -561,7 +562,10 @@ typedef bool (*hexcon_project)(void *user, size_t count, const double *points, c
 enum { HEXCON_FREE = -1, HEXCON_STAYS = -2 };
 
 /** What the points of a mesh slide on. A carrier is one piece or several, of which the nearest
- * counts, as the faces of a smooth patch: all points, all curves or all surfaces. */
+ * counts, as the faces of a smooth patch: all points, all curves or all surfaces. As surfaces go on
+ * without end, facets may tell where each piece counts: triangles near it, between its borders.
+ * Then each piece of its carrier must have some, none may be a SURFACE, and the piece of the
+ * nearest facet counts. */
 typedef struct hexcon_sliding {
   const int32_t *carrier_of_point; /**< [point_count] in -2 .. carrier_count - 1 */
   size_t carrier_count;
@@ -569,6 +573,12 @@ typedef struct hexcon_sliding {
   const hexcon_carrier *pieces; /**< [starts[carrier_count]] */
   hexcon_project project;       /**< NULL if no piece is a CURVE or a SURFACE */
   void *project_user;
+  size_t facet_point_count, facet_count; /**< 0: no facets */
+  const double *facet_points;            /**< [facet_point_count][3] */
+  const int32_t *facets;                 /**< [facet_count][3] into facet_points */
+  const int32_t *piece_of_facet;         /**< [facet_count] into pieces */
+  const double *facet_normals; /**< [facet_count][3][3] at corners, of any length but 0, either way
+                                  round; NULL if no piece is of kind FACETS */
 } hexcon_sliding;
 
 /**

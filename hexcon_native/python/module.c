@@ -503,11 +503,11 @@ static PyMethodDef methods[] = {
     {"carriers", table_of_carriers, METH_NOARGS,
      "carriers() -> list of (name, freedom, fields), by number"},
     {"project_points", project_points, METH_VARARGS,
-     "project_points(points, carrier_of_point, starts, pieces, project or None) -> (points, "
-     "directions)"},
+     "project_points(points, carrier_of_point, starts, pieces, project or None, (facet "
+     "points, facets, pieces of facets, normals)) -> (points, directions)"},
     {"relax", relax, METH_VARARGS,
-     "relax(positions, hexes, carrier_of_point, starts, pieces, project or None, rounds, passes, "
-     "mean_passes, threads, budget, progress)"},
+     "relax(positions, hexes, carrier_of_point, starts, pieces, project or None, facets as "
+     "project_points, rounds, passes, mean_passes, threads, budget, progress)"},
     {"check_surface", check_surface, METH_VARARGS, "check_surface(points, quads) -> dict"},
     {"orient_surface", orient_surface, METH_VARARGS,
      "orient_surface(points, quads) -> (quads, bodies, cavities)"},

@@ -11,13 +11,36 @@ typedef struct sliding_call {
   run r;
   PyObject *callable; /* borrowed: (bytes of points, bytes of tags) -> (bytes of places, bytes of
                          directions); None: nobody is asked */
-  array_copy carrier_of_point, starts, pieces;
+  array_copy carrier_of_point, starts, pieces, facet_points, facets, piece_of_facet, facet_normals;
 } sliding_call;
 
 static void sliding_call_free(sliding_call *call) {
   array_copy_free(&call->carrier_of_point);
   array_copy_free(&call->starts);
   array_copy_free(&call->pieces);
+  array_copy_free(&call->facet_points);
+  array_copy_free(&call->facets);
+  array_copy_free(&call->piece_of_facet);
+  array_copy_free(&call->facet_normals);
+}
+
+/** Of a tuple (facet points, facets' corners, pieces, normals). @return 0 with an exception set */
+static int copy_facets(PyObject *from, void *to) {
+  sliding_call *call = to;
+  if (!PyTuple_Check(from)) {
+    PyErr_SetString(PyExc_TypeError, "facets are a tuple");
+    return 0;
+  }
+  if (!PyArg_ParseTuple(from, "O&O&O&O&", copy_points, &call->facet_points, copy_numbers,
+                        &call->facets, copy_numbers, &call->piece_of_facet, copy_points,
+                        &call->facet_normals))
+    return 0;
+  size_t count = call->piece_of_facet.count;
+  if (call->facets.count == 3 * count && call->facet_normals.count == 3 * count)
+    return 1;
+  PyErr_Format(PyExc_ValueError, "%zu corners and %zu normals for %zu facets", call->facets.count,
+               call->facet_normals.count, count);
+  return 0;
 }
 
 /** Copy rows of points out of bytes. @return false with an exception set */
@@ -69,7 +92,13 @@ static bool describe(sliding_call *call, size_t point_count, hexcon_sliding *out
                           .starts = starts,
                           .pieces = call->pieces.items,
                           .project = call->callable == Py_None ? NULL : ask,
-                          .project_user = call};
+                          .project_user = call,
+                          .facet_point_count = call->facet_points.count,
+                          .facet_count = call->piece_of_facet.count,
+                          .facet_points = call->facet_points.items,
+                          .facets = call->facets.items,
+                          .piece_of_facet = call->piece_of_facet.items,
+                          .facet_normals = call->facet_normals.items};
   return true;
 }
 
@@ -79,10 +108,12 @@ PyObject *project_points(PyObject *module, PyObject *arguments) {
   sliding_call call = {0};
   hexcon_sliding sliding;
   PyObject *result = NULL, *directions = NULL;
-  if (!PyArg_ParseTuple(arguments, "O&O&O&O&O", copy_points, &points, copy_numbers,
+  if (!PyArg_ParseTuple(arguments, "O&O&O&O&OO&", copy_points, &points, copy_numbers,
                         &call.carrier_of_point, copy_numbers, &call.starts, copy_carriers,
-                        &call.pieces, &call.callable))
+                        &call.pieces, &call.callable, copy_facets, &call)) {
+    sliding_call_free(&call);
     return NULL;
+  }
   if (describe(&call, points.count, &sliding))
     directions = buffer_copy(NULL, 3 * points.count, sizeof(double));
   if (directions && run_begin(&call.r, Py_None)) {
@@ -109,11 +140,14 @@ PyObject *relax(PyObject *module, PyObject *arguments) {
   hexcon_relax_options options = {0};
   hexcon_sliding sliding;
   PyObject *given, *callback, *result = NULL;
-  if (!PyArg_ParseTuple(arguments, "OO&O&O&O&OiiiidO", &given, copy_hexes, &hexes, copy_numbers,
+  if (!PyArg_ParseTuple(arguments, "OO&O&O&O&OO&iiiidO", &given, copy_hexes, &hexes, copy_numbers,
                         &call.carrier_of_point, copy_numbers, &call.starts, copy_carriers,
-                        &call.pieces, &call.callable, &options.max_rounds, &options.passes,
-                        &options.mean_passes, &options.threads, &options.budget, &callback))
+                        &call.pieces, &call.callable, copy_facets, &call, &options.max_rounds,
+                        &options.passes, &options.mean_passes, &options.threads, &options.budget,
+                        &callback)) {
+    sliding_call_free(&call);
     return NULL;
+  }
   if (copy_points(given, &positions) && describe(&call, positions.count, &sliding) &&
       run_begin(&call.r, callback)) {
     run_release(&call.r);

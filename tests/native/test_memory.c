@@ -176,7 +176,11 @@ static hexcon_status call_relax(hexcon_context *context, material *m) {
                   : p[2] == 0                   ? 1
                                                 : HEXCON_STAYS;
   }
-  const hexcon_sliding sliding = {carriers, 2, starts, pieces, project_to_plane, NULL};
+  const hexcon_sliding sliding = {.carrier_of_point = carriers,
+                                  .carrier_count = 2,
+                                  .starts = starts,
+                                  .pieces = pieces,
+                                  .project = project_to_plane};
   const hexcon_relax_options options = {.passes = 1, .mean_passes = 1, .threads = 1};
   hexcon_status status = hexcon_relax(context, box->points, box->point_count, box->hexes,
                                       box->hex_count, &sliding, &options, m->positions);

@@ -232,7 +232,8 @@ static void places_are_nearest(void **state) {
   hexcon_context *context = hexcon_context_new();
   for (int round = 0; round < 4000; round++) {
     hexcon_carrier c = {.kind = round % HEXCON_CARRIER_COUNT, .axis = {0, 0, 1}, .across = {1}};
-    if (c.kind == HEXCON_CARRIER_CURVE || c.kind == HEXCON_CARRIER_SURFACE)
+    if (c.kind == HEXCON_CARRIER_CURVE || c.kind == HEXCON_CARRIER_SURFACE ||
+        c.kind == HEXCON_CARRIER_FACETS)
       continue;
     double p[3], at[3], way[3];
     for (int k = 0; k < 3; k++) {
@@ -246,7 +247,8 @@ static void places_are_nearest(void **state) {
     if (c.kind == HEXCON_CARRIER_LINE || c.kind == HEXCON_CARRIER_CIRCLE)
       c.sizes[c.kind == HEXCON_CARRIER_CIRCLE] = 0;
     const int32_t starts[2] = {0, 1}, of_point = 0;
-    const hexcon_sliding sliding = {&of_point, 1, starts, &c, NULL, NULL};
+    const hexcon_sliding sliding = {
+        .carrier_of_point = &of_point, .carrier_count = 1, .starts = starts, .pieces = &c};
     assert_int_equal(hexcon_project_points(context, p, 1, &sliding, at, way), HEXCON_OK);
     assert_close(residual(&c, at), 0, 1e-13);
     int freedom = hexcon_carrier_info(c.kind)->freedom;
@@ -293,7 +295,8 @@ static void ends_are_kept(void **state) {
     c.sizes[1] = is_line ? 0 : length;
     for (int k = 0; k < 3; k++)
       p[k] = random_between(&random, -4, 4);
-    const hexcon_sliding sliding = {&of_point, 1, starts, &c, NULL, NULL};
+    const hexcon_sliding sliding = {
+        .carrier_of_point = &of_point, .carrier_count = 1, .starts = starts, .pieces = &c};
     assert_int_equal(hexcon_project_points(context, p, 1, &sliding, at, NULL), HEXCON_OK);
     for (int i = 0; i <= 2000; i++) {
       double t = length * i / 2000, gap = 0;
@@ -324,10 +327,12 @@ static void where_all_places_are_near(void **state) {
       if (kind == HEXCON_CARRIER_CIRCLE)
         c.sizes[1] = 0;
       const int32_t starts[2] = {0, 1}, of_point = 0;
-      const hexcon_sliding sliding = {&of_point, 1, starts, &c, NULL, NULL};
+      const hexcon_sliding sliding = {
+          .carrier_of_point = &of_point, .carrier_count = 1, .starts = starts, .pieces = &c};
       double p[3] = {1, 2, 3}, way[3];
       p[far == 1 ? 2 : 0] += far == 0 ? 0 : 0.1;
-      if (kind == HEXCON_CARRIER_CURVE || kind == HEXCON_CARRIER_SURFACE)
+      if (kind == HEXCON_CARRIER_CURVE || kind == HEXCON_CARRIER_SURFACE ||
+          kind == HEXCON_CARRIER_FACETS)
         continue;
       assert_int_equal(hexcon_project_points(context, p, 1, &sliding, p, way), HEXCON_OK);
       assert_close(residual(&c, p), 0, 1e-13);
@@ -545,7 +550,12 @@ static void others_project(void **state) {
   int32_t starts[2] = {0, 2}, of_point = 0;
   hexcon_carrier pieces[2] = {{.kind = HEXCON_CARRIER_PLANE, .axis = {1, 0, 0}},
                               {.kind = HEXCON_CARRIER_SURFACE, .tag = 2 | 1 << 2 | 1 << 4}};
-  hexcon_sliding two = {&of_point, 1, starts, pieces, project_to_cube, &a};
+  hexcon_sliding two = {.carrier_of_point = &of_point,
+                        .carrier_count = 1,
+                        .starts = starts,
+                        .pieces = pieces,
+                        .project = project_to_cube,
+                        .project_user = &a};
   hexcon_context *context = hexcon_context_new();
   double low[3] = {0.4, 5, 6}, high[3] = {0.6, 5, 6};
   assert_int_equal(hexcon_project_points(context, low, 1, &two, low, NULL), HEXCON_OK);
@@ -638,7 +648,8 @@ static void pieces_of_several_kinds(void **state) {
   const int32_t starts[2] = {0, 2}, of_point = 0;
   const hexcon_carrier pieces[2] = {{.kind = HEXCON_CARRIER_PLANE, .axis = {1, 0, 0}},
                                     {.kind = HEXCON_CARRIER_LINE, .axis = {1, 0, 0}}};
-  const hexcon_sliding sliding = {&of_point, 1, starts, pieces, NULL, NULL};
+  const hexcon_sliding sliding = {
+      .carrier_of_point = &of_point, .carrier_count = 1, .starts = starts, .pieces = pieces};
   double p[3] = {1, 1, 1};
   assert_int_equal(hexcon_project_points(context, p, 1, &sliding, p, NULL), HEXCON_BAD_ARGUMENT);
   assert_elements(context, (int32_t[]){0}, 1);

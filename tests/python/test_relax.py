@@ -167,3 +167,42 @@ def test_faults():
     with pytest.raises(ZeroDivisionError):
         hn.relax(points, hexes, lying, asked, project=lambda p, t: 1 / 0)
     assert code_of(hn.project_points, points[:, :2], carrier_of_point, carriers) == Code.WRONG_SHAPE
+
+
+def rounded_edge():
+    """Facets of a floor, a quarter of a cylinder and a wall, one patch; the middle of each part."""
+    profile = [(-2, 0), (0, 0), *[(np.sin(a), 1 - np.cos(a)) for a in np.pi / 2 * np.arange(1, 4) / 4], (1, 1), (1, 3)]
+    points = np.array([(x, y, z) for x, z in profile for y in (0, 4)], float)
+    triangles = np.array([t for k in range(0, 12, 2) for t in ((k, k + 1, k + 2), (k + 1, k + 2, k + 3))])
+    pieces = np.repeat([0, 1, 1, 1, 1, 2], 2)
+    return hn.Facets(points, triangles, np.zeros(12, int), pieces), [
+        [hn.Carrier("plane", axis=(0, 0, 1)), hn.Carrier("cylinder", (0, 0, 1), (0, 1, 0), sizes=(1.0,)),
+         hn.Carrier("plane", (1, 0, 0), (1, 0, 0))]]
+
+
+def test_facets_tell_which_face_counts():
+    """Without them the floor's plane, which goes on beyond the edge, is nearer."""
+    facets, carriers = rounded_edge()
+    given = np.array([[0.9, 2, 0.05], [-1, 2, 0.3], [1.2, 2, 2]])
+    places, normals = hn.project_points(given, [0, 0, 0], carriers, facets=facets)
+    far = np.hypot(0.9, 0.95)
+    assert np.allclose(places, [[0.9 / far, 2, 1 - 0.95 / far], [-1, 2, 0], [1, 2, 2]]) and \
+        np.allclose(np.abs(normals[1:]), [[0, 0, 1], [1, 0, 0]])
+    assert np.allclose(hn.project_points(given, [0, 0, 0], carriers)[0][0], [0.9, 2, 0])
+    curved = facets._replace(normals=np.tile([0.0, 0.0, 1.0], (12, 3, 1)), pieces=np.zeros(12, int))
+    places, _ = hn.project_points(given[1:2], [0], [hn.Carrier("facets")], facets=curved)
+    assert np.allclose(places, [[-1, 2, 0]])
+
+
+@pytest.mark.parametrize("change,code", [
+    ({"triangles": np.full((12, 3), 14)}, Code.INDEX_OUT_OF_RANGE),
+    ({"pieces": np.full(12, 3)}, Code.INDEX_OUT_OF_RANGE), ({"carriers": np.ones(12, int)}, Code.INDEX_OUT_OF_RANGE),
+    ({"pieces": np.zeros(11, int)}, Code.WRONG_SHAPE), ({"points": np.zeros((14, 2))}, Code.WRONG_SHAPE),
+    ({"normals": np.zeros((12, 3))}, Code.WRONG_SHAPE), ({"triangles": np.ones((12, 3))}, Code.WRONG_SHAPE),
+    ({"normals": np.zeros((12, 3, 3))}, Code.INDEX_OUT_OF_RANGE), ({"pieces": np.zeros(12, int)}, Code.BAD_ARGUMENT),
+    ({"points": np.full((14, 3), np.nan)}, Code.INDEX_OUT_OF_RANGE)])
+def test_facets_that_do_not_fit(change, code):
+    facets, carriers = rounded_edge()
+    at = np.zeros((1, 3)), [0], carriers
+    assert code_of(hn.project_points, *at, facets=facets._replace(**change)) is code
+    assert code_of(hn.project_points, *at, facets="none") is Code.BAD_ARGUMENT

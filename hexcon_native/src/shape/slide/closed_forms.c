@@ -74,7 +74,7 @@ const char *carrier_fault(const hexcon_carrier *carrier) {
   const double farthest = 1e100;
   if (!hexcon_carrier_info(carrier->kind))
     return "its kind does not exist";
-  if (!carrier_is_closed(carrier->kind))
+  if (!carrier_is_closed(carrier->kind) || carrier->kind == HEXCON_CARRIER_FACETS)
     return NULL;
   const carrier_needs *needs = &needs_of[carrier->kind];
   for (int k = 0; k < 3; k++)

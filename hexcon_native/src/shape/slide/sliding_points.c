@@ -90,11 +90,12 @@ hexcon_status sliding_points_new(hexcon_context *context, const hexcon_sliding *
     return HEXCON_OUT_OF_MEMORY;
   for (size_t i = 0; i < pieces; i++)
     out->pieces[i] = carrier_normalised(&given->pieces[i]);
-  return HEXCON_OK;
+  return facet_carriers_new(context, given, out->pieces, &out->facets);
 }
 
 void sliding_points_free(hexcon_context *context, sliding_points *points) {
   context_free(context, points->pieces);
+  facet_carriers_free(context, &points->facets);
   memset(points, 0, sizeof *points);
 }
 
@@ -131,11 +132,16 @@ static void take_nearer(landing *best, const double point[3], const double neare
   memcpy(best->direction, direction, 3 * sizeof *direction);
 }
 
-/** On the nearest piece of those with a closed form.
+/** On the piece that its facets tell, or on the nearest piece of those with a closed form.
  * @param others  receives the number of those without; may be NULL */
 static landing land_on_closed(const sliding_points *points, int32_t carrier, const double point[3],
                               size_t *others) {
   landing best = {.distance = INFINITY};
+  if (facet_carriers_know(&points->facets, carrier)) {
+    facet_carriers_project(&points->facets, points->pieces, carrier, point, best.nearest,
+                           best.direction);
+    return best;
+  }
   for (int32_t i = points->starts[carrier]; i < points->starts[carrier + 1]; i++) {
     double nearest[3], direction[3] = {0, 0, 0};
     if (carrier_is_closed(points->pieces[i].kind)) {

@@ -3,19 +3,21 @@
 #ifndef HEXCON_SHAPE_SLIDE_SLIDING_POINTS_H
 #define HEXCON_SHAPE_SLIDE_SLIDING_POINTS_H
 
-#include "base/context.h"
+#include "facet_carriers.h"
 
-/** A checked hexcon_sliding, of which `starts` and `carrier_of_point` stay the caller's. */
+/** A checked hexcon_sliding, which stays the caller's. */
 typedef struct sliding_points {
   size_t point_count;
   const int32_t *carrier_of_point;
   const int32_t *starts;
   hexcon_carrier *pieces; /**< normalised */
+  facet_carriers facets;
   hexcon_project project;
   void *project_user;
 } sliding_points;
 
-/** BAD_ARGUMENT (carriers, listed), INDEX_OUT_OF_RANGE (points, listed), OUT_OF_MEMORY.
+/** BAD_ARGUMENT (carriers, listed), INDEX_OUT_OF_RANGE (points, or facets, listed), TOO_LARGE,
+ * OUT_OF_MEMORY.
  * @param out free with sliding_points_free, also after an error. Linear. */
 hexcon_status sliding_points_new(hexcon_context *context, const hexcon_sliding *given,
                                  size_t point_count, sliding_points *out);

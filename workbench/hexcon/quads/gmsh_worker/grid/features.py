@@ -124,8 +124,8 @@ class Curve:
         return len(self.parts) == 1 and carriers[self.parts[0][0]].kind == "Line"
 
     def evened(self, points):
-        """(n,3) evenly spaced for points in order along it, whose first and last are its ends; one, if it is closed, which
-        then turns so that they are moved least."""
+        """(n,3) evenly spaced for points in order along it, whose first and last are its ends; one, if it is closed:
+        then they are turned so that they move least."""
         along = np.linspace(0.0, self.length, len(points))
         if not self.closed:
             return np.vstack([points[:1], self.at(along[1:-1]), points[-1:]])

@@ -4,6 +4,8 @@ import numpy as np
 
 import hexcon_native as hn
 
+from .carriers import surface_normals
+
 FREE, STAYS = -1, -2        # of hexcon.h
 
 
@@ -18,6 +20,19 @@ class FeatureCarriers:
         self._features, self.curves = features, len(features.curves)
         self.rows = [_of_curve(features, c) for c in range(self.curves)] + \
             [_of_patch(features, p, self.curves) for p in range(len(features.patches))]
+
+    def relaxed_on(self):
+        """Carriers and hexcon_native.Facets for a relaxation, which needs no exact places: patches of several faces,
+        and of others than closed forms, are told by their triangles, so that nobody is asked."""
+        rows, parts = list(self.rows), []
+        for p, patch in enumerate(self._features.patches):
+            row = self.curves + p
+            if rows[row].kind == "surface":
+                rows[row], part = _faceted(self._features.cad, patch, row)
+                parts.append(part)
+        if not parts:
+            return rows, None
+        return rows, hn.Facets(self._features.cad.tessellation.points, *(np.concatenate(c) for c in zip(*parts)))
 
     def project(self, points, tags):
         """Places and directions on those without a closed form, as hexcon_native.relax asks for them."""
@@ -48,17 +63,24 @@ class Sliding:
         for c, chain in enumerate(self.chains):
             self.carrier_of_point[chain] = c
         self.carrier_of_point[mesh.corner_vertex] = STAYS
-        self._hexes, self.corner_vertex = mesh.hexes, mesh.corner_vertex
+        self._hexes, self.corner_vertex, self._fast = mesh.hexes, mesh.corner_vertex, None
 
     def polished(self, points, **options):
-        """hexcon_native.relax with the points of round curves held, evenly spaced: left to slide they crowd together, as
-        shapes of hexes do not feel that long chords cut the solid."""
+        """hexcon_native.relax with the points of round curves held, evenly spaced: left to slide they crowd together,
+        as shapes of hexes do not feel that long chords cut the solid."""
         features, carriers, points = self._features, self.carrier_of_point.copy(), points.copy()
         for c, chain in enumerate(self.chains):
             if not features.curves[c].is_straight(features.cad.curve_carriers):
                 points[chain] = features.curves[c].evened(points[chain])
                 carriers[chain] = STAYS
-        return hn.relax(self.project(points), self._hexes, carriers, self._on.rows, project=self._on.project, **options)
+        return self._relaxed(self.project(points), carriers, options)
+
+    def _relaxed(self, points, carriers, options):
+        if self._fast is None:
+            self._fast = self._on.relaxed_on()
+        rows, facets = self._fast
+        return self.project(hn.relax(points, self._hexes, carriers, rows, project=self._on.project, facets=facets,
+                                     **options))
 
     def on_patch(self):
         """(n,) points that slide on patches."""
@@ -76,8 +98,24 @@ class Sliding:
         on_curves = (self.carrier_of_point >= 0) & (self.carrier_of_point < self._on.curves)
         for held in curves_held:
             carriers = np.where(on_curves & held, STAYS, self.carrier_of_point)
-            points = hn.relax(points, self._hexes, carriers, self._on.rows, project=self._on.project, **options)
+            points = self._relaxed(points, carriers, options)
         return points
+
+
+def _faceted(cad, patch, row):
+    """(pieces, (triangles, carriers, pieces, normals) of Facets) of a patch."""
+    shape, carriers = cad.tessellation, [cad.carriers[f] for f in patch.faces]
+    pieces = [hn.Carrier("facets") if c.kind == "other" else c.core for c in carriers]
+    triangles, face = shape.triangles[patch.rows], shape.face[patch.rows]
+    normals = np.repeat(shape.normals_at(patch.rows)[:, None], 3, axis=1)
+    for f, carrier in zip(patch.faces, carriers):
+        if carrier.kind == "other":
+            rows = np.flatnonzero(face == f)
+            ids, back = np.unique(triangles[rows], return_inverse=True)
+            found = surface_normals(f, shape.points[ids])[back.reshape(-1, 3)]
+            found = found * np.sign((found * normals[rows]).sum(axis=2, keepdims=True))
+            normals[rows] = np.where(np.isfinite(found) & (found != 0).any(axis=2, keepdims=True), found, normals[rows])
+    return pieces, (triangles, np.full(len(triangles), row), np.searchsorted(patch.faces, face), normals)
 
 
 def _of_curve(features, c):
