@@ -3,11 +3,13 @@
 import numpy as np
 import pytest
 from hex_grids import block
+from test_calculix_deck import GRADIENT, exact_stress
 
+import hexcon
 from hexcon import calculix, files
 from hexcon.calculix.deck_loads import check_deck
 from hexcon.errors import FaultCode, ToolError
-from hexcon.femmesh import add_to_document
+from hexcon.femmesh import add_to_document, elements_of
 from hexcon.femmesh.element_types import CHOICES, ELEMENT_TYPES
 from hexcon.files import read_mesh
 
@@ -56,6 +58,22 @@ def test_through_freecad(doc, box_in):
     result = calculix.solve(doc, held, solid, force=PULL)
     with open(result.inp_path, encoding="utf-8") as stream:
         assert types_in(stream.read()) == {"C3D8R"}
+
+
+@pytest.mark.parametrize("name", ["C3D20", "C3D20R"])
+def test_curved_elements_pass_the_patch_test(cylinder_in, name):
+    """A linear field prescribed on the boundary of a curved mesh: its stress is exact at every integration point."""
+    solid = cylinder_in(3.0, 4.0)
+    mesh = hexcon.mesh_solid(solid.Shape, 2.0, order=2)
+    assert mesh.report["curved"]["on_faces"] > 0 and mesh.certificate.certified
+    boundary = np.unique(elements_of(mesh).quads)
+    field = mesh.points @ GRADIENT.T
+    result = calculix.solve_inp(calculix.static_deck(mesh, fixed=(), element=name, integration_points=True,
+                                                     prescribed=(boundary, field[boundary])))
+    right = exact_stress()
+    found = result.integration_points[:, [2, 3, 4, 5, 7, 6]]
+    assert np.abs(found - right).max() < 1e-5 * np.abs(right).max()
+    assert np.abs(result.displacements - field).max() < 1e-5 * np.abs(field).max()
 
 
 STEP = "*STEP\n*STATIC\n{}\n*END STEP\n"

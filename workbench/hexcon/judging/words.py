@@ -75,7 +75,8 @@ def of_mesh(mesh):
     rows += of_lengths(lengths_of(mesh.points, mesh.hexes))
     rows += [(translate("HexCon", "Curved edges"), sentence) for sentence in of_curving(report)]
     fit = getattr(getattr(mesh, "surface", None), "fit", None)
-    rows += [(translate("HexCon", "Fit"), fit.words())] if fit else []
+    if fit and "curved" not in report:      # which tells of the same, with curved faces
+        rows.append((translate("HexCon", "Fit"), fit.words()))
     rows += [(translate("HexCon", "Note"), note) for note in report.get("surface notes", ())]
     rows += [(translate("HexCon", "Tried"), line) for line in (*report.get("surface tries", ()), *report["log"])]
     rows += [(translate("HexCon", "gmsh"), line) for line in report.get("gmsh", ())]
