@@ -8,6 +8,7 @@ import numpy as np
 import hexcon_native as hn
 
 from ..fault import WorkerFault
+from ..smooth import evenness
 from .fault import NotLayered
 from .mesh import layered_mesh
 from .roles import Role, Shape
@@ -156,5 +157,6 @@ def surface_of(found, faults, name, what=""):
     part = "" if found.factor == 1.0 else f" at {found.factor:g} of the size"
     return {"points": mesh.points, "quads": mesh.quads, "faces": mesh.faces, "hexes": mesh.hexes,
             "notes": [f"{name} along {named(found.direction)}{part}: {what}{mesh.levels} levels, {mesh.rings} layers, "
-                      f"{len(mesh.hexes)} hexes; volume {100 * found.volume:+.2f} %",
+                      f"{len(mesh.hexes)} hexes; volume {100 * found.volume:+.2f} %, edges of a quad up to 1 to "
+                      f"{1.0 / evenness(mesh.points, mesh.quads).min():.1f}",
                       *(f"{name}: {fault}" for fault in faults)]}
