@@ -66,12 +66,12 @@ def test_the_bracket_is_even_and_good_at_every_size(size):
     edges = np.linalg.norm(np.roll(mesh.points[mesh.quads], -1, axis=1) - mesh.points[mesh.quads], axis=2)
     print(f"{size}: {mesh.name}, {len(mesh.quads)} quads, {low:.3f} to mean {mean:.3f}", edges.min(), edges.max())
     assert mesh.name == "lattice, o-grid holes" and low > 0.8 and mean > 0.94
-    assert (edges.max(axis=1) / edges.min(axis=1)).max() < 4.1
+    assert (edges.max(axis=1) / edges.min(axis=1)).max() < 3.6
     assert edges.min() > 0.4 * min(size, 10 * np.pi / 12) and edges.max() < 1.7 * size
     assert len(mesh.quads) < 250
 
 
-@pytest.mark.parametrize("size", (6.0, 10.0))
+@pytest.mark.parametrize("size", (10.0,))
 def test_a_flange_is_a_lattice_round_its_centre(size):
     outline = round_outline([(0, 0, 50)], [(0, 0, 20)] + [(36 * np.cos(a), 36 * np.sin(a), 5)
                                                        for a in np.arange(6) * np.pi / 3 + 0.2], size)

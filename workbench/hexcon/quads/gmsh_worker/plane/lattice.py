@@ -16,7 +16,7 @@ from .charts import charts_of
 from .headings import runs_of
 from .lattice_counts import across, lattice_lines, run_counts
 
-LONGEST = 2.5   # times as long as wide are elements to be, where holes make them narrow
+LONGEST = 2.2   # times as long as wide are elements to be, where holes make them narrow
 FINE = 16       # points of an edge by which an outline without divisions is looked at
 
 
