@@ -9,7 +9,7 @@ from .fault import WorkerFault
 from .outline import even
 from .plane.slid import slid
 from .plane_mesh import image
-from .smooth import evenness, merit, optimise, scaled_jacobian
+from .smooth import EVEN, POOR, evenness, merit, optimise, placed, scaled_jacobian
 from .templates import IF_POOR, TEMPLATES
 
 GOOD = 0.75        # a template this good, as a share of what the corners allow, is taken at once
@@ -92,9 +92,15 @@ def _pave(tried, outline, link, label):
 def _try(tried, outline, name, counts, build):
     shares = even(counts)
     made = build(outline, counts, np.concatenate(outline.place(shares)))
-    if made is not None and name.startswith("lattice"):
-        shares, *made = slid(outline, shares, *made)
-    _keep(tried, outline, name, shares, made)
+    if made is None or not name.startswith("lattice"):
+        _keep(tried, outline, name, shares, made)
+        return
+    for weight in (EVEN, EVEN / 30.0):      # where even quads are poor, angles alone may do
+        own, *moved = slid(outline, shares, *made, weight)
+        before = len(tried)
+        _keep(tried, outline, name, own, moved)
+        if len(tried) > before and tried[-1].quality()[0] > POOR * outline.limit():
+            return
 
 
 def _try_paved(tried, outline, road, algorithm, scale):
@@ -119,7 +125,7 @@ def _keep(tried, outline, name, shares, made):
     points, quads = made
     outline_top = np.concatenate(outline.place_top(shares))
     fixed = np.arange(len(points)) < len(outline_top)
-    points = optimise(points, quads, fixed)
+    points = placed(points, quads, fixed, outline.limit())
     top = image(points, quads, outline_top)
     if scaled_jacobian(top, quads).min() < scaled_jacobian(points, quads).min() - 0.02:
         top = optimise(top, quads, fixed)

@@ -8,6 +8,7 @@ from scipy.optimize import minimize
 
 _TINY = 1e-300
 EVEN = 0.3      # weight of aspect ratios beside angles
+POOR = 0.7      # of what the corners allow: below it angles alone are looked at, too
 
 
 def corners(points, quads):
@@ -80,6 +81,14 @@ def optimise(points, quads, fixed, budget=4_000_000, slides=None, even=EVEN):
             best, best_key = current, key
         if key[0] < 0.01:
             break
+    return best
+
+
+def placed(points, quads, fixed, limit):
+    """optimise with even quads in mind; where the worst is far from `limit`, with it alone: the better by merit."""
+    best = optimise(points, quads, fixed)
+    if scaled_jacobian(best, quads).min() < POOR * limit:
+        best = max(best, optimise(best, quads, fixed, even=EVEN / 30.0), key=lambda p: merit(p, quads, limit))
     return best
 
 

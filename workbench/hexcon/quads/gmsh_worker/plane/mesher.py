@@ -6,7 +6,7 @@ import numpy as np
 
 from .. import paved
 from ..link import Link
-from ..smooth import evenness, merit, optimise, scaled_jacobian
+from ..smooth import evenness, merit, placed, scaled_jacobian
 from ..templates import IF_POOR, TEMPLATES
 from .lattice import lattices_of
 from .split import split_mesh
@@ -143,7 +143,7 @@ def judged(region, made, name):
     if len(points) < count or not _is_whole(region, quads, len(points)):
         return None
     points[:count] = region.boundary
-    points = optimise(points, quads, np.arange(len(points)) < count)
+    points = placed(points, quads, np.arange(len(points)) < count, region.limit)
     quality = scaled_jacobian(points, quads)
     if not quality.min() > LEAST:
         return None

@@ -38,10 +38,11 @@ class _Edge:
         return way / np.linalg.norm(way, axis=1)[:, None]
 
 
-def slid(outline, shares, points, quads):
+def slid(outline, shares, points, quads, even):
     """(shares, points, quads) with the boundary and all inside at the best places.
 
     shares  of the outline's edges, even ones;  points (m,2): the boundary first
+    even    weight of aspect ratios beside angles, as optimise has it
     Points slide along straight edges, and along bent ones where those are divided finely.
     """
     edges, total = _edges(outline, shares)
@@ -51,7 +52,7 @@ def slid(outline, shares, points, quads):
     now, moved = shares, _springs(points, quads, fixed, [e for e in edges if e.straight])
     for _ in range(ROUNDS if any(not e.straight for e in edges) else 1):
         slides = np.concatenate([e.rows for e in edges]), np.concatenate([e.ways for e in edges])
-        moved = optimise(moved, quads, fixed, EFFORT, slides)
+        moved = optimise(moved, quads, fixed, EFFORT, slides, even)
         new = _shares_of(edges, now, moved)
         if new is None:         # folded: then the even ones stay
             return shares, points, quads
@@ -102,12 +103,12 @@ def _shares_of(edges, shares, points):
 
 def _gentle(made, edge):
     """Shares (n+1,) drawn to even ones until no interval of a bent edge turns too much."""
-    even = np.linspace(0.0, 1.0, len(made))
+    alike = np.linspace(0.0, 1.0, len(made))
     for _ in range(BLENDS):
         if edge.straight or np.diff(made).max() * edge.turn < max(MOST_TURN, MOST_TIMES * edge.turn / (len(made) - 1)):
             return made
-        made = (made + even) / 2.0
-    return even
+        made = (made + alike) / 2.0
+    return alike
 
 
 def _springs(points, quads, fixed, edges):
