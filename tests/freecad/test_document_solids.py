@@ -144,6 +144,19 @@ def mirrored(doc):
     made.Source, made.Base, made.Normal = box(doc), FreeCAD.Vector(-5, 0, 0), FreeCAD.Vector(1, 0, 0)
 
 
+def clone_of_body(doc):
+    """As PartDesign's Clone makes it: another body, whose first feature is the body."""
+    first, other = body(doc), doc.addObject("PartDesign::Body", "Other")
+    other.newObject("PartDesign::FeatureBase", "Clone").BaseFeature = first
+    other.Placement.Base = (50, 0, 0)
+
+
+def group_of_links(doc):
+    made = doc.addObject("App::LinkGroup", "Group")
+    made.ElementList = [box(doc)]
+    made.Placement.Base = (50, 0, 0)
+
+
 def empty(doc):
     doc.addObject("PartDesign::Body", "Body")
 
@@ -157,6 +170,7 @@ RIGHT = {
     two_bodies: ("1 B1 (Housing); 2 B2", "--solid"), body_and_link: ("1 Body; 2 Link", "--object"),
     attached: ("1 Box; 2 Upper", "--object"), compound: ("1 Compound, solid 1 of 2; 2 Compound, solid 2 of 2",
                                                          "--solid"),
+    clone_of_body: ("1 Body; 2 Other", "--object"), group_of_links: (6000, (50, 0, 0)),
     mirrored: ("2 solids", "Box", "Mirror"), empty: ("0 solids count in it (none)", "Body: recompute")}
 
 

@@ -119,8 +119,9 @@ def _all_places(document):
 
 
 def _is_element(obj):
-    """An element of a link that shows its elements one by one: the link holds it."""
-    return obj.TypeId == "App::LinkElement" and any(u.TypeId in _LINKS for u in obj.InList)
+    """An element of a link that shows its elements one by one, or of a group of links: that one holds it."""
+    return any(user.TypeId == "App::LinkGroup" and obj in user.ElementList
+               or obj.TypeId == "App::LinkElement" and user.TypeId in _LINKS for user in obj.InList)
 
 
 def _places_in(obj, placement, shown, path):
@@ -163,14 +164,15 @@ def _is_used_up(obj):
 
 
 def _uses_up(user, obj):
-    if not _has_solids(user) or user.TypeId in _LINKS or user.TypeId in _LOOKS_ONLY or _is_clone(user):
+    if not _has_solids(user) or user.TypeId in _LINKS or user.TypeId in _LOOKS_ONLY or _is_clone(user, obj):
         return False
     return any(_links_to(getattr(user, name), obj) for name in _USES_UP if name in user.PropertiesList)
 
 
-def _is_clone(user):
-    """A clone of Draft: a copy, beside which the object stays."""
-    return {"Objects", "Scale", "Fuse"} <= set(user.PropertiesList)
+def _is_clone(user, obj):
+    """A copy beside which the object stays: a clone of Draft, or of PartDesign, a body that begins with another one."""
+    of_body = obj.TypeId == "PartDesign::Body" and user.TypeId in ("PartDesign::FeatureBase", "PartDesign::Body")
+    return of_body or {"Objects", "Scale", "Fuse"} <= set(user.PropertiesList)
 
 
 def _links_to(value, obj):
