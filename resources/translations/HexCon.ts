@@ -237,7 +237,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This mesh has no solid whose faces could be clicked.</source>
+        <source>This mesh has no solid whose faces could be clicked, and no named groups.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This mesh has no solid: choose its groups by name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -254,6 +258,14 @@
     </message>
     <message>
         <source>Solve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Groups</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

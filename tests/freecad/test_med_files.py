@@ -61,3 +61,21 @@ def test_a_scale_for_the_file_of_a_quad_surface(freecad, tmp_path):
         assert made.FemMesh.BoundBox.ZMax == pytest.approx(60)
     finally:
         freecad.closeDocument(made.Document.Name)
+
+
+def test_a_mesh_without_a_solid_is_solved_by_its_groups(freecad, tmp_path):
+    """As the window's panel does: groups held and loaded by name; the same displacements as on the command line."""
+    from hexcon.calculix import solve_inp, static_deck
+    from hexcon.document.analyses import load_and_solve
+    from hexcon.femmesh.document import add_to_document
+    box = block(2, 2, 2, (10.0, 20.0, 30.0))
+    box.face_of_quad, faces = np.zeros_like(box.face_of_quad), box.face_of_quad
+    box.quad_groups = {"hold it": np.flatnonzero(faces == 5), "pull it": np.flatnonzero(faces == 6)}
+    doc = freecad.newDocument("Named", hidden=True)
+    try:
+        result = load_and_solve(add_to_document(doc, box, None), ["hold it"], {"pull it": (0.0, 0.0, 100.0)})
+        right = solve_inp(static_deck(box, fixed=["hold it"], force={"pull it": (0.0, 0.0, 100.0)}))
+        assert result.max_displacement == pytest.approx(right.max_displacement) and result.max_displacement > 0
+        assert len(result.document_object.DisplacementVectors) == 27
+    finally:
+        freecad.closeDocument(doc.Name)

@@ -3,10 +3,12 @@
 
 These are calls for macros; hexcon.gui.actions has them too.
 """
+import re
 import sys
 
 from hexcon import freecad_compat, preferences, window
 from hexcon.calculix import constraint_groups, solve
+from hexcon.calculix.by_names import names_of, solve_by_names
 from hexcon.calculix.material import material_of
 from hexcon.errors import FaultCode, ToolError
 from hexcon.topological import refuse_topological
@@ -66,21 +68,26 @@ def _new_analysis(document):
 
 
 def load_and_solve(mesh_object, held, force, *, allow_topological=False):
-    """Hold and load CAD faces of the mesh's solid, solve in CalculiX, show the displacements.
+    """Hold and load CAD faces of the mesh's solid, or named groups of the mesh, solve in CalculiX, show the displacements.
 
-    held   names of the faces that are held, ["Face1", ...]
-    force  {"Face2": (fx, fy, fz)}: the total force on each face, N
+    held   names of the faces that are held, ["Face1", ...], or of groups of faces and nodes
+    force  {"Face2": (fx, fy, fz)}: the total force on each face or group, N
+    Groups are taken where one of the names is no face of a solid: see calculix.by_names.
     Returns a calculix.Result. One undo step; on failure the document is as it was. Raises
-    ToolError: those of hexcon.solve, BAD_SHAPE where the mesh has no solid any more.
+    ToolError: those of hexcon.solve, BAD_SHAPE where the mesh has neither a solid (any more) nor groups.
     """
     solid = freecad_compat.solid_of_mesh_object(mesh_object)
-    if solid is None:
-        raise ToolError(f"{mesh_object.Label} has no solid (any more), whose faces could be held and "
-                        "loaded", FaultCode.BAD_SHAPE)
     in_window = window.is_shown(mesh_object)
-    result = solve(mesh_object.Document, mesh_object, solid, fixed=list(held), force=dict(force),
-                          threads=preferences.value("Threads") or None, allow_topological=allow_topological,
-                          waiting=window.waiting() if in_window else None)
+    options = {"fixed": list(held), "force": dict(force), "threads": preferences.value("Threads") or None,
+               "allow_topological": allow_topological, "waiting": window.waiting() if in_window else None}
+    by_faces = solid is not None and all(re.fullmatch(r"Face\d+", str(name)) for name in (*held, *force))
+    if not by_faces and not names_of(mesh_object):
+        raise ToolError(f"{mesh_object.Label} has no solid (any more), whose faces could be held and "
+                        "loaded, and no named groups", FaultCode.BAD_SHAPE)
+    if by_faces:
+        result = solve(mesh_object.Document, mesh_object, solid, **options)
+    else:
+        result = solve_by_names(mesh_object.Document, mesh_object, **options)
     if in_window:
         show_displacement(result.document_object)
     return result

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panel "Hold, load and solve": two clicks on faces, and the displacements."""
+import re
+
 import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
 from hexcon import freecad_compat
+from hexcon.calculix.by_names import names_of
 from hexcon.errors import FaultCode, ToolError
 
 from . import recording
@@ -25,12 +28,16 @@ class LoadPanel(Panel):
 
     def __init__(self, mesh_object):
         self.solid = freecad_compat.solid_of_mesh_object(mesh_object)
+        self.names = self._groups_of(mesh_object)
         self.faces, self.solved = {"held": [], "loaded": []}, False
         super().__init__(mesh_object, translate("HexCon", "Hold, load and solve"),
                          icon_path("HexCon_Solve"))
-        if self.solid is None:
+        if self.solid is None and not self.names:
             self.solve.setEnabled(False)
-            self.result.setText(translate("HexCon", "This mesh has no solid whose faces could be clicked."))
+            self.result.setText(translate("HexCon", "This mesh has no solid whose faces could be clicked, and no named "
+                                                    "groups."))
+        elif self.solid is None:
+            self.result.setText(translate("HexCon", "This mesh has no solid: choose its groups by name."))
         else:  # its faces must be there to be clicked
             mesh_object.ViewObject.Visibility = False
             self.solid.ViewObject.Visibility = True
@@ -52,12 +59,32 @@ class LoadPanel(Panel):
             self.listed[kind].setWordWrap(True)
             rows.addRow(self.pick[kind], self.listed[kind])
         self.pick["held"].setChecked(True)
+        self._make_groups(rows)
         self._make_force(rows)
         layout.addLayout(rows)
         self.solve = QtGui.QPushButton(translate("HexCon", "Solve"))
         self.solve.setObjectName("run")
         self.solve.clicked.connect(self.on_solve)
         layout.addWidget(self.solve)
+
+    def _groups_of(self, mesh_object):
+        """Names of the mesh's groups; without those of CAD faces where the solid's can be clicked."""
+        return [name for name in names_of(mesh_object) if self.solid is None or not re.fullmatch(r"Face\d+", name)]
+
+    def _make_groups(self, rows):
+        """A choice that holds, or loads, a named group as a click does a face; not there without any."""
+        self.groups = narrow_box("groups")
+        self.groups.addItem(translate("HexCon", "choose a group"))
+        for name in self.names:
+            self.groups.addItem(name)
+        self.groups.activated.connect(self.on_group)
+        if self.names:
+            rows.addRow(translate("HexCon", "Groups"), self.groups)
+
+    def on_group(self, place):
+        if place > 0:
+            self._toggle(self.names[place - 1])
+            self.groups.setCurrentIndex(0)
 
     def _make_force(self, rows):
         self.force = QtGui.QDoubleSpinBox()
@@ -78,6 +105,10 @@ class LoadPanel(Panel):
         if self.solid is None or (document, name) != (self.document_name, self.solid.Name) \
                 or not part.startswith("Face"):
             return
+        self._toggle(part)
+
+    def _toggle(self, part):
+        """Hold or load a face or a group, as the upper buttons say."""
         kind = "held" if self.pick["held"].isChecked() else "loaded"
         faces = self.faces[kind]
         if part in faces:
