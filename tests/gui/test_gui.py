@@ -97,6 +97,10 @@ def test_what_crosses_itself_is_told_and_drawn(tmp_path, home):
     window("script_crossing.py", tmp_path, home, "-M", str(ROOT))
 
 
+def test_groups_are_held_and_loaded_by_name(tmp_path, home):
+    window("script_groups.py", tmp_path, home, "-M", str(ROOT))
+
+
 def bare_addon(folder):
     """The addon as it is before `make build`."""
     native = folder / "hexcon_native"

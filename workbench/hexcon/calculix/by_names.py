@@ -60,9 +60,10 @@ def solve_by_names(doc, mesh_object, *, fixed, force=None, pressure=None, materi
         added = [o for o in doc.Objects if o.Name not in before]
     displacements, stress = np.zeros((len(mesh.points), 3)), np.zeros((len(mesh.points), 6))
     displacements[found["node_ids"] - 1], stress[found["node_ids"] - 1] = found["displacements"], found["stress"]
-    return Result(shown, added, displacements, stress, frd.von_mises(stress), path, os.path.splitext(path)[0] + ".frd", log,
-                  {"notes": ["held and loaded by groups of the mesh: the analysis has no constraint objects"],
-                   "force_sum": np.sum([vector for vector in (force or {}).values()], axis=0).tolist()})
+    report = {"notes": ["held and loaded by groups of the mesh: the analysis has no constraint objects"],
+              "force_sum": np.sum([np.zeros(3), *(force or {}).values()], axis=0).tolist()}
+    return Result(shown, added, displacements, stress, frd.von_mises(stress), path, os.path.splitext(path)[0] + ".frd",
+                  log, report)
 
 
 def _results_in(doc, mesh_object, material, path):

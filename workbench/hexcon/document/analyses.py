@@ -68,7 +68,7 @@ def _new_analysis(document):
 
 
 def load_and_solve(mesh_object, held, force, *, allow_topological=False):
-    """Hold and load CAD faces of the mesh's solid, or named groups of the mesh, solve in CalculiX, show the displacements.
+    """Hold and load CAD faces of the mesh's solid, or named groups of the mesh, solve in CalculiX, show displacements.
 
     held   names of the faces that are held, ["Face1", ...], or of groups of faces and nodes
     force  {"Face2": (fx, fy, fz)}: the total force on each face or group, N
