@@ -32,7 +32,8 @@ def groups_are_offered_and_solved():
     groups.activated.emit(1)
     find(QtGui.QPushButton, "loaded").click()
     groups.activated.emit(2)
-    assert find(QtGui.QLabel, "held_faces").text() == "hold it" and find(QtGui.QLabel, "loaded_faces").text() == "pull it"
+    said = [find(QtGui.QLabel, f"{kind}_faces").text() for kind in ("held", "loaded")]
+    assert said == ["hold it", "pull it"]
     button("run").click()
     wait(lambda: "Solved" in words(), "the results")
     see_all()
