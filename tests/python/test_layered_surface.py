@@ -8,6 +8,8 @@ from mesh_checker import faults
 import hexcon
 from hexcon.errors import FaultCode, ToolError
 from hexcon.quads import surface_from_solid
+from hexcon.quads.gmsh_worker.layered.divisions import divide
+from hexcon.quads.gmsh_worker.layered.fault import NotLayered
 
 PLATE = "(3, occ.addBox(0, 0, 0, 8, 6, 1))"
 BOSS = (f"occ.cut(occ.fuse([{PLATE}], [(3, occ.addCylinder(3, 3, 0, 0, 0, 3, 1.5))])[0], "
@@ -95,3 +97,17 @@ def test_it_can_be_cancelled(tmp_path):
             raise Stop
     with pytest.raises(Stop):
         surface_from_solid(cad_file(BOSS, tmp_path / "solid.brep"), 0.25, "layered", progress=progress)
+
+
+def test_numbers_of_intervals():
+    """Even round a loop of four pieces, alike on opposite sides, as held; what cannot be is refused."""
+    ideal, least = np.array([3.2, 2.0, 4.9, 2.4]), np.array([1, 1, 1, 1])
+    loop, opposite = ({0: 1, 1: 1, 2: 1, 3: 1}, 2, None), [({0: 1, 2: -1}, 0, 1.5), ({1: 1, 3: -1}, 0, 1.5)]
+    found = divide(ideal, least, [loop, *opposite])
+    assert found[0] == found[2] and found[0] in (3, 4, 5) and found.tolist()[1::2] == [2, 2]
+    assert divide(ideal, least, [loop]).tolist() == [3, 2, 5, 2]
+    ideal[0] = least[0] = 6
+    held = divide(ideal, least, [loop, *opposite], held={0: 6})
+    assert held[0] == 6 and held.sum() % 2 == 0
+    with pytest.raises(NotLayered, match="intervals"):
+        divide(ideal, least, [({0: 1}, 0, None)], held={0: 6})

@@ -3,8 +3,9 @@
 
 
 class NotLayered(Exception):
-    """faces: CAD faces at fault."""
+    """faces: CAD faces at fault, which the words name."""
 
     def __init__(self, message, faces=()):
-        super().__init__(message)
-        self.faces = list(faces)
+        self.faces = sorted(faces)
+        named = "Face" in message or not self.faces
+        super().__init__(message if named else f"{message}, at " + ", ".join(f"Face{f}" for f in self.faces[:8]))

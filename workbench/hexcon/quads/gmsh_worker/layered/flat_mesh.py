@@ -14,6 +14,7 @@ from .fault import NotLayered
 # (part of the size, every piece even, longest interval beside a region, in widths of it)
 ATTEMPTS = ((1.0, False, None), (1.0, True, None), (1.0, False, 3.0), (0.88, True, 2.0), (0.8, False, 1.2))
 NARROWEST = 0.12    # of the size: no intervals shorter than this are made for the sake of narrow regions
+CRASHES = 6         # of gmsh, after which it is not asked any more
 PAVED = 2           # attempts that are made again with gmsh, where none is good enough without
 ENOUGH = 0.6        # of what corners allow, in the worst quad: with it no other attempt is made
 
@@ -40,7 +41,9 @@ def flat_mesh(arrangement, used, size, link, fixed=None):
     held = {k: n for k, c in enumerate(pieces) if fixed and (n := fixed(arrangement.pieces[c]))}
     regions = _Regions(arrangement, outlines, size, link)
     best, fault = None, None
-    for paving, attempts in ((False, ATTEMPTS), (True, ATTEMPTS[:PAVED])):     # gmsh takes its time, and may crash
+    # gmsh takes its time, and each of its crashes begins all of the surface again
+    gmsh_may = [(True, ATTEMPTS[:PAVED])] if len(link.avoid) <= CRASHES else []
+    for paving, attempts in [(False, ATTEMPTS), *gmsh_may]:
         for part, even, widths in attempts:
             try:
                 sizes = _sizes(arrangement, pieces, outlines, size * part, widths)
