@@ -3,9 +3,11 @@
 import contextlib
 import os
 import tempfile
+import time
 from dataclasses import dataclass
 
 import gmsh
+import numpy as np
 
 from ..fault import WorkerFault
 from ..layered.extrude import LayeredMesh
@@ -27,33 +29,33 @@ class BoxedMesh(LayeredMesh):
     boxes: int
 
 
-def boxed_mesh(shape, skin, direction, size, link):
+def boxed_mesh(shape, skin, direction, size, link, end=np.inf):
     """The BoxedMesh of a roles.Shape, its inner points not yet improved.
 
-    skin: whole.Skin of the solid. Raises NotLayered.
+    skin: whole.Skin of the solid; end: of processor time. Raises NotLayered.
     """
     told, across = [], features(shape, direction, shape.roles(direction))
     for room in ROOMS:
         try:
-            return _with_boxes(shape, skin, boxes_round(across, shape, size, room), direction, size, link)
+            return _with_boxes(shape, skin, boxes_round(across, shape, size, room), direction, size, link, end)
         except NotLayered as fault:
             told.append(str(fault))
     raise NotLayered("; ".join(dict.fromkeys(told)))
 
 
-def _with_boxes(shape, skin, boxes, direction, size, link):
+def _with_boxes(shape, skin, boxes, direction, size, link, end):
     near = 10 * shape.solid.tolerance
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "solid.brep")
         gmsh.write(path)
         for number, box in enumerate(boxes, 1):
-            with _told(f"box {number}"):
+            with _told(f"box {number}", end):
                 _own_stations(path, box, size)
-        with _told("outside of the boxes"):
+        with _told("outside of the boxes", end):
             rest, rows = _rest(path, boxes, direction, size, link)
         pieces = []
         for number, (box, across) in enumerate(zip(boxes, rows), 1):
-            with _told(f"box {number}"):
+            with _told(f"box {number}", end):
                 pieces += [(box, mesh) for mesh in _pieces(path, box, rest, across, size, link)]
     points, hexes, quads, owner = joined(rest, pieces, skin, near)
     faces = cad_faces(shape, skin, points, quads, owner, near)
@@ -63,8 +65,10 @@ def _with_boxes(shape, skin, boxes, direction, size, link):
 
 
 @contextlib.contextmanager
-def _told(where):
+def _told(where, end):
     """Faults of parts name the place, and none of their faces: they have other numbers than the solid's."""
+    if time.process_time() > end:
+        raise NotLayered(f"{where}: no time left")
     try:
         yield
     except NotLayered as fault:

@@ -13,7 +13,7 @@ from .whole import Skin
 TRIED = 2           # directions
 MOST_CROSS = 0.5    # part of the area that features across the layers may have
 MOST_FEATURES = 24
-SHARE = 0.15        # of the time limit, in processor time: no try is begun then
+SHARE = 0.1         # of the time limit, in processor time: no try is begun then
 
 
 def boxed_surface(solid, size, link, timeout, care=0):
@@ -30,8 +30,9 @@ def boxed_surface(solid, size, link, timeout, care=0):
     if not directions:
         raise WorkerFault("NOT_BOXED", f"no direction in which only round holes and bosses lie across: {against}")
     skin = Skin(solid)
+    end = begun + SHARE * timeout
     best, faults = search(directions, lambda direction, factor: judged(
-        shape, boxed_mesh(shape, skin, direction, size * factor, link), direction, factor), begun + SHARE * timeout)
+        shape, boxed_mesh(shape, skin, direction, size * factor, link, end), direction, factor), end)
     if best is None:
         raise WorkerFault("NOT_BOXED", "; ".join(faults) or "no time left")
     boxes = best.mesh.boxes
