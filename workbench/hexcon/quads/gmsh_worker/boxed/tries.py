@@ -11,9 +11,10 @@ from .mesh import boxed_mesh
 from .whole import Skin
 
 TRIED = 2           # directions
+FACTORS = (1.0, 0.62)   # parts of the size
 MOST_CROSS = 0.5    # part of the area that features across the layers may have
 MOST_FEATURES = 24
-SHARE = 0.1         # of the time limit, in processor time: no try is begun then
+SHARE = 0.2         # of the time limit, in processor time: no try is begun then
 
 
 def boxed_surface(solid, size, link, timeout, care=0):
@@ -32,7 +33,7 @@ def boxed_surface(solid, size, link, timeout, care=0):
     skin = Skin(solid)
     end = begun + SHARE * timeout
     best, faults = search(directions, lambda direction, factor: judged(
-        shape, boxed_mesh(shape, skin, direction, size * factor, link, end), direction, factor), end)
+        shape, boxed_mesh(shape, skin, direction, size * factor, link, end), direction, factor), end, FACTORS)
     if best is None:
         raise WorkerFault("NOT_BOXED", "; ".join(faults) or "no time left")
     boxes = best.mesh.boxes

@@ -71,13 +71,13 @@ def layered_surface(solid, size, link, timeout, care=0):
     return surface_of(best, faults, "layered")
 
 
-def search(directions, attempt, end):
+def search(directions, attempt, end, factors=FACTORS):
     """(The best Layered, or None; what stands against others, in words).
 
     attempt: callable (direction, part of the size) -> Layered, may raise NotLayered; end: of processor time
     """
     best, faults, hopeless = None, [], set()
-    for factor in FACTORS:
+    for factor in factors:
         for number, direction in enumerate(directions):
             if number in hopeless:
                 continue
