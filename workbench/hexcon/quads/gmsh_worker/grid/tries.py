@@ -17,7 +17,7 @@ THIN = 0.45             # smaller parts of the size are tried only where nothing
 DRAFTS = 2              # with folded hexes that are worked on, where nothing else came out
 BUDGET, TIMES = 15_000, 4.0     # hexes looked at in all tries, or so many times those of the first
 # Of the time limit, in processor time: no try is begun then; nor, where there is a mesh, then; the last one is ended.
-SHARE, SHARE_OF_BETTER, MOST = 0.25, 0.15, 0.5
+SHARE, SHARE_OF_BETTER, MOST = 0.15, 0.1, 0.5
 
 
 @dataclass(frozen=True)
