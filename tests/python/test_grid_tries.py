@@ -103,3 +103,14 @@ def test_an_edge_much_shorter_than_the_elements_is_a_point(features, tmp_path):
     assert any("taken as points: Edge" in note for note in surface.notes)
     edges = surface.points[surface.quads] - surface.points[np.roll(surface.quads, -1, axis=1)]
     assert np.linalg.norm(edges, axis=2).min() > 0.1
+
+
+def test_what_is_too_narrow_for_the_elements_is_split_there(features):
+    """A hole nearer to two faces than an element: no paths at the size, and none much smaller everywhere."""
+    def near_a_corner(occ):
+        occ.cut([(3, occ.addBox(0, 0, 0, 6, 6, 3))], [(3, occ.addCylinder(1.7, 1.9, -1, 0, 0, 5, 1.1))])
+    link = Link()
+    mesh = tries.grid_surface(features(near_a_corner, 1.5).cad.solid, 1.5, link, 600.0)
+    assert any("no paths that do not meet" in note for note in mesh["notes"])
+    assert "split 1 times" in mesh["notes"][0] and len(link.kept) == 1
+    assert len(mesh["hexes"]) < 400

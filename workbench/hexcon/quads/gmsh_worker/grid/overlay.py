@@ -30,7 +30,7 @@ ENOUGH = 0.3            # and above which what counts is the mean
 MOST_REFINED = 200_000      # and of one whose cells are split
 LONGEST = 1.5           # of the size: edges of cells up to which they are not split, as even steps between planes are
 FINE = 0.95                 # least scaled Jacobian of first places that are taken as they are
-MOST_FOLDED = 0.01          # part of the hexes: with more left folded, passes over them are lost time
+MOST_FOLDED, OF_FOLDED = 12, 0.002   # hexes, or part of them: with more left folded, passes over them are lost time
 MOST_CROSSINGS = 12         # pairs of quads: with more, polish is lost time
 MOST_SETS = 2               # of cells with the solid's topology that are tried
 MANY_SHEETS = 1.5           # times the hexes: sheets that go on inside are then too many to be tried first
@@ -216,7 +216,7 @@ def _unfolded(points, mesh, sliding):
     those near folded hexes slide."""
     for number, options in enumerate(({"passes": FEW_PASSES}, {}, {"passes": FEW_PASSES})):
         bad = hn.quality(points, mesh.hexes).scaled_jacobian <= 0.0
-        if not 0 < np.count_nonzero(bad) <= MOST_FOLDED * len(mesh.hexes):
+        if not 0 < np.count_nonzero(bad) <= few(mesh):
             break
         touched = np.zeros(len(points), bool)
         touched[mesh.hexes[bad]] = True
@@ -225,5 +225,6 @@ def _unfolded(points, mesh, sliding):
     return points
 
 
-def _folded(points, mesh):
-    return np.count_nonzero(hn.quality(points, mesh.hexes).scaled_jacobian <= 0.0)
+def few(mesh):
+    """So many hexes may be folded where passes over them are worth their time."""
+    return max(MOST_FOLDED, OF_FOLDED * len(mesh.hexes))

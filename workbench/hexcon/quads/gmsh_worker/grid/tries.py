@@ -9,7 +9,7 @@ from ..fault import WorkerFault
 from .captured import NotCaptured
 from .cells_to_split import LEVELS
 from .features import EVERY_EDGE, SMOOTH, Cad, Features
-from .overlay import GOOD, LONGEST, MOST_FOLDED, Work, finished, overlay
+from .overlay import GOOD, LONGEST, Work, few, finished, overlay
 from .quad_count import quad_count_words
 from .too_small import too_small
 
@@ -36,8 +36,9 @@ class Try:
             (f", narrow places split {self.levels} times" if self.levels else "")
 
 
-TRIES = (Try(1.0, EVERY_EDGE), Try(1.0), Try(1.0, slivers=True), Try(0.8, EVERY_EDGE), Try(0.8), Try(0.8, slivers=True),
-         Try(1.0, EVERY_EDGE, levels=1), Try(1.0, levels=1), Try(0.64), Try(0.5, slivers=True), Try(0.4), Try(0.3))
+TRIES = (Try(1.0, EVERY_EDGE), Try(1.0), Try(1.0, EVERY_EDGE, levels=1), Try(1.0, levels=1), Try(0.8, EVERY_EDGE),
+         Try(1.0, slivers=True), Try(0.8), Try(0.8, slivers=True), Try(0.64), Try(0.5, slivers=True), Try(0.4),
+         Try(0.3))
 
 
 def grid_surface(solid, size, link, timeout, sizes=None, care=0):
@@ -103,7 +104,7 @@ class _Tries:
     def finish_drafts(self):
         """The best of those with folded hexes, with all passes that there are."""
         for draft, one in sorted(self.drafts, key=lambda d: d[0].rank, reverse=True)[:DRAFTS]:
-            if self._is_late(SHARE) or draft.folded > MOST_FOLDED * len(draft.mesh.hexes):
+            if self._is_late(SHARE) or draft.folded > few(draft.mesh):
                 return
             self._keep(finished(draft, self.size * one.factor, self._reporting(len(TRIES) - 1)), one)
             if self.best is not None:
