@@ -254,3 +254,14 @@ def test_iges_is_sewn(app, tmp_path):
     with pytest.raises(ToolError, match="do not close") as caught:
         solid_as_brep(tmp_path / "open.iges", tmp_path / "solid.brep")
     assert caught.value.code is FaultCode.BAD_SHAPE
+
+
+def test_a_model_in_metres_is_told_and_scaled(app, tmp_path):
+    import Part
+
+    from hexcon.quads import surface_from_solid
+    Part.makeBox(0.01, 0.02, 0.03).exportBrep(str(tmp_path / "small.brep"))
+    made = surface_from_solid(tmp_path / "small.brep", 0.01)
+    assert any("--scale 1000" in note for note in made.notes)
+    made = surface_from_solid(SolidChoice(str(tmp_path / "small.brep"), scale=1000.0), 10.0)
+    assert np.allclose(np.ptp(made.points, axis=0), (10, 20, 30)) and any("by 1000" in note for note in made.notes)

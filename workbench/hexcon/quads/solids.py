@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
+from hexcon.files.lengths import doubt
 from hexcon.files.regular import regular_file
 from hexcon.files.shapes import IGES_ENDINGS, from_shape
 from hexcon.files.solid import solid_as_brep
@@ -63,6 +64,7 @@ def surface_from_solid(shape_or_file, size, method="auto", *, local_sizes=(), pe
         raise naming_file(fault, shape_or_file) from fault
     notes = [*read_notes, *(str(n) for n in found["notes"])]
     _check_distance(found, notes)
+    notes += doubt(found["points"])
     faces = found["faces"]
     face_numbers = numbers_of()
     if face_numbers is not None:
