@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The size field that a user asks for: sizes of faces, edges, corners, points, balls and boxes, quads round a turn."""
+import inspect
+
 import gmsh
 import numpy as np
 
@@ -74,7 +76,13 @@ def _inside(solid, face, step):
     counts = np.clip(np.ceil(np.array(lengths) / step), LEAST_SAMPLES, MOST_SAMPLES // LEAST_SAMPLES).astype(int)
     axes = [a + (b - a) * (np.arange(n) + 0.5) / n for a, b, n in zip(low, high, counts)]
     grid = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 2)
-    return grid[[gmsh.model.isInside(2, face, at) > 0 for at in grid]], float(step)
+    return grid[[_parameters_inside(face, at) for at in grid]], float(step)
+
+
+def _parameters_inside(face, at):
+    """Whether parameters (2,) lie in a face. gmsh 4.8 takes them as they are, later ones where they are told."""
+    told = (True,) if "parametric" in inspect.signature(gmsh.model.isInside).parameters else ()
+    return gmsh.model.isInside(2, face, at, *told) > 0
 
 
 def _on_face(solid, face, size):
