@@ -48,10 +48,14 @@ make_debian() {
     fail "debootstrap cannot be installed"
   # an older debootstrap does not know forky; all suites since sid are made alike
   [ -e /usr/share/debootstrap/scripts/forky ] || $root ln -s sid /usr/share/debootstrap/scripts/forky
-  $root mkdir -p "$folder"
-  $root debootstrap --variant=minbase forky "$folder" "$mirror" || fail "debootstrap could not make Debian forky from $mirror"
-  echo 'Acquire::Check-Valid-Until "false";' | $root tee "$folder/etc/apt/apt.conf.d/99hexcon" >/dev/null
-  $root touch "$folder/etc/hexcon-base"
+  [ ! -e "$folder" ] || fail "$folder is there and holds no Debian that this script has made: name another folder"
+  $root rm -rf "$folder.making" # of a run that was broken off
+  $root mkdir -p "$folder.making"
+  $root debootstrap --variant=minbase forky "$folder.making" "$mirror" ||
+    fail "debootstrap could not make Debian forky from $mirror"
+  echo 'Acquire::Check-Valid-Until "false";' | $root tee "$folder.making/etc/apt/apt.conf.d/99hexcon" >/dev/null
+  $root touch "$folder.making/etc/hexcon-base"
+  $root mv "$folder.making" "$folder"
 }
 
 install_packages() {

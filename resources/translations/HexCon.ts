@@ -329,7 +329,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>about {natural} hexes in sweeps and blocks, {count} otherwise</source>
+        <source>at least about {natural} hexes in sweeps and blocks, several times as many where holes and thin walls are smaller than the size; about {count} otherwise</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

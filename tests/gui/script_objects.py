@@ -389,7 +389,7 @@ def fem_has_the_menu_and_preferences_the_page():
     settle()
     bar = FreeCADGui.getMainWindow().menuBar()
     menus = [action for action in bar.actions() if action.objectName() == "HexConInFem"]
-    assert len(menus) == 1 and len(menus[0].menu().actions()) == 12
+    assert len(menus) == 1 and len(menus[0].menu().actions()) == 13
     first = menus[0].menu().actions()[0]
     members = [action.text() for action in first.menu().actions()]
     assert first.text() == "Examples" and len(members) == 10 and members[:2] == ["Box", "Wedge"], members

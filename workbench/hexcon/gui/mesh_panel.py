@@ -71,7 +71,9 @@ class MeshPanel(Panel):
         natural = guess(self._shape.Volume / size ** 3)
         by_quads = guess(self._shape.Area / size ** 2 * hexes_a_quad) if hexes_a_quad else natural
         open_choice = settings["method"] == settings["surface_method"] == "auto" and not settings["layers"]
-        text = (translate("HexCon", "about {natural} hexes in sweeps and blocks, {count} otherwise") if open_choice
+        text = (translate("HexCon", "at least about {natural} hexes in sweeps and blocks, several times as many where "
+                                    "holes and thin walls are smaller than the size; about {count} otherwise")
+                if open_choice
                 else translate("HexCon", "about {count} hexes"))
         self.expected.setText(text.format(natural=natural, count=by_quads))
 
