@@ -52,7 +52,7 @@ def _assert_counts(surface):
 
 
 @pytest.mark.parametrize("maker,instead", [(quads_solids.filleted_box, "grid"),
-                                           (quads_solids.two_way_bracket, "grid"),
+                                           (quads_solids.two_way_bracket, "boxed"),
                                            (lambda: quads_solids.Part.makeSphere(5), "blocks")])
 def test_not_sweepable(maker, instead):
     with pytest.raises(ToolError) as caught:

@@ -15,7 +15,7 @@ OF_BLOCKS.update({name: SOLIDS[name][0] for name in ("wedge", "quarter_cylinder"
 OTHERS = {"hull_10": BODIES["hull_10"], "filleted": BODIES["filleted"],
           "chamfered": BODIES["chamfered"], "torus": "occ.addTorus(0, 0, 0, 2, 0.5)"}
 
-OTHERWISE = {"chamfered": "sweep", "filleted": "layered"}      # from top to bottom
+OTHERWISE = {"chamfered": "sweep", "filleted": "layered", "torus": "revolved"}     # chamfered: from top to bottom
 
 
 @pytest.mark.parametrize("name", OF_BLOCKS)
