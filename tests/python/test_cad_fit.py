@@ -58,7 +58,7 @@ def test_a_coarse_cylinder(tmp_path):
 
 def test_a_grid_takes_more_quads_on_round_faces(tmp_path):
     path = cad_file(CYLINDER, tmp_path / "solid.brep")
-    coarse, fine = (surface_from_solid(path, 3.0, "grid", volume_error=most) for most in (1.0, 0.02))
+    coarse, fine = (surface_from_solid(path, 3.0, "grid", volume_error=most) for most in (1.0, 0.01))
     assert abs(fine.fit.volume) < 0.9 * abs(coarse.fit.volume) and len(fine.quads) > len(coarse.quads)
     assert any("as chords cut" in note for note in fine.notes)
 

@@ -27,7 +27,7 @@ def within(limit, solid, size, sizes, make, second):
     best = make(size, sizes)
     first = off = last = _off(solid, best) if limit else 0.0
     factor, how = 1.0, ""
-    for _ in range(ROUNDS):
+    for round_ in range(ROUNDS):
         if off <= ENOUGH * limit:
             break
         factor = max(SAFE * np.sqrt(limit / last) * factor, LEAST)
@@ -35,7 +35,7 @@ def within(limit, solid, size, sizes, make, second):
             break
         second(best)
         try:
-            mesh, words = _rounder(solid, size, sizes, make, factor, limit)
+            mesh, words = _rounder(solid, size, sizes, make, factor, limit, round_ == 0)
         except WorkerFault:
             break
         last = _off(solid, mesh)
@@ -48,10 +48,11 @@ def within(limit, solid, size, sizes, make, second):
     return best
 
 
-def _rounder(solid, size, sizes, make, factor, limit):
-    """(mesh, what is other about it)."""
-    if factor >= EVEN or sizes is None:
+def _rounder(solid, size, sizes, make, factor, limit, first):
+    """(mesh, what is other about it). The second is split on round faces: a grid has no number of quads between."""
+    if sizes is None or (first and factor >= EVEN):
         return make(factor * size, sizes), f"size {factor * size:.3g} instead of {size:g}"
+    factor = min(factor, EVEN)
     return make(size, sizes.joined(chord_sizes(solid, size, factor, limit))), f"size {factor * size:.3g} on round faces"
 
 
