@@ -84,7 +84,7 @@ static bool solve_on_plane(const programme *p, size_t tight, double (*scratch[DI
     side[n] = box;
     eliminate(n, side, plane, pivot, lower.rows[lower.count++]);
   }
-  double objective[ROW] = {0}, reduced[ROW];
+  double objective[ROW] = {0}, reduced[ROW] = {0};
   memcpy(objective, p->objective, sizeof p->objective);
   objective[n] = 0;
   eliminate(n, objective, plane, pivot, reduced);
