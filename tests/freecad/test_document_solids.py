@@ -129,7 +129,9 @@ def attached(doc):
     """A box that stands on a face of another one: it is not made from it."""
     base = box(doc)
     made = box(doc, "Upper", (5, 5, 5))
-    made.Support, made.MapMode = [(base, ("Face6",))], "FlatFace"
+    support = "AttachmentSupport" if hasattr(made, "AttachmentSupport") else "Support"    # 1.0 renamed it
+    setattr(made, support, [(base, ("Face6",))])
+    made.MapMode = "FlatFace"
     base.Visibility = True
 
 

@@ -88,11 +88,30 @@ def test_gmsh_and_meshio_open_what_is_written(tmp_path, mesh, ending):
         gmsh.initialize(readConfigFiles=False)
         try:
             gmsh.option.setNumber("General.Terminal", 0)
+            if not _gmsh_opens_its_own(tmp_path / "own.vtk"):
+                pytest.skip(f"gmsh {gmsh.GMSH_API_VERSION} opens no binary .vtk, its own neither")
             gmsh.open(str(tmp_path / "m.vtk"))
             kinds, ids, _ = gmsh.model.mesh.getElements(3)
             assert kinds.tolist() == [5] and len(ids[0]) == 8
         finally:
             gmsh.finalize()
+
+
+def _gmsh_opens_its_own(path):
+    """Whether gmsh opens the binary file of a box that it has written; 4.15 reads the line's end as a first byte."""
+    gmsh.model.occ.addBox(0, 0, 0, 1, 1, 1)
+    gmsh.model.occ.synchronize()
+    gmsh.model.mesh.generate(3)
+    gmsh.option.setNumber("Mesh.Binary", 1)
+    gmsh.write(str(path))
+    gmsh.clear()
+    try:
+        gmsh.open(str(path))
+    except Exception:
+        return False
+    finally:
+        gmsh.clear()
+    return True
 
 
 def test_groups_carry_loads(tmp_path, mesh):

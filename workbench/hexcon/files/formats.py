@@ -35,7 +35,8 @@ FORMATS = (
            "and 1, or of whole numbers on quads, as groups",
            "hexes; groups and CAD faces as arrays on the sides of hexes (H,6), node groups as arrays of "
            "0 and 1",
-           "other data; what is no cell of a surface or volume"),
+           "other data; what is no cell of a surface or volume. Gmsh 4.15 opens no binary `.vtk`, its own "
+           "neither: take `.msh` for it"),
     Format("VTK XML, others", (".vtp", ".vts", ".vtr", ".vti",), "VTK",
            "as .vtu",
            "",
