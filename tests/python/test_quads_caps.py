@@ -71,6 +71,14 @@ def test_the_bracket_is_even_and_good_at_every_size(size):
     assert len(mesh.quads) < 250
 
 
+@pytest.mark.parametrize("size", (3.0, 4.0, 6.0))
+def test_a_taper_keeps_the_size_at_its_wide_end(size):
+    """Sides of 25 and 4: what both have is no compromise that leaves the wide one with one interval."""
+    mesh = mesh_cap(polygon([(0, 0), (50, 10.5), (50, 14.5), (0, 25)], size), Link(), "cap")
+    edges = np.linalg.norm(np.roll(mesh.points[mesh.quads], -1, axis=1) - mesh.points[mesh.quads], axis=2)
+    assert edges.max() < 2.0 * size and mesh.quality()[0] > 0.8
+
+
 @pytest.mark.parametrize("size", (10.0,))
 def test_a_flange_is_a_lattice_round_its_centre(size):
     outline = round_outline([(0, 0, 50)], [(0, 0, 20)] + [(36 * np.cos(a), 36 * np.sin(a), 5)

@@ -25,7 +25,7 @@ def detail_sizes(solid, size, scale=1.0, wanted=None):
     Cost: O(S log S) for S sample points on the edges, spaced by a third of the bounds.
     """
     points, bounds, wall = _bounds(solid, size, scale)
-    field = SizeField(size, points, bounds)
+    field = SizeField(size, points, np.minimum(bounds, size))     # inf: no bound there
     return (field if wanted is None else field.joined(wanted)), wall
 
 

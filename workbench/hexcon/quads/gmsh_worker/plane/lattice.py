@@ -17,6 +17,7 @@ from .headings import runs_of
 from .lattice_counts import across, lattice_lines, run_counts
 
 LONGEST = 2.2   # times as long as wide are elements to be, where holes make them narrow
+LARGEST = 1.8   # times the wanted size: what opposite sides of different lengths agree on must not be longer
 FINE = 16       # points of an edge by which an outline without divisions is looked at
 
 
@@ -60,7 +61,8 @@ def lattice_plans(outline):
         flat = [run for loop in runs for run in loop]
         parts = [_parts_of(run) for run in flat]
         few = [np.array([max(1, int(np.ceil(least[e] * share - 1e-9))) for e, share in own], int) for own in parts]
-        worth, fewest = _worth(flat, weights, outline.size), [max(1, f.sum()) for f in few]
+        worth = _worth(flat, weights, outline.size)
+        fewest = [max(1, f.sum(), np.ceil(w.sum() / LARGEST - 1e-9)) for f, w in zip(few, worth)]
         lines = lattice_lines(runs, worth, fewest)
         if lines is not None:       # once more, no longer than the divisions across allow
             room = LONGEST * across(runs, lines)

@@ -12,6 +12,7 @@ STRAIGHT = 1e-3             # of an edge's length: how far its points are off th
 TURN = np.radians(25.0)     # on a bent edge: more for an even interval and it stays even,
 MOST_TURN, MOST_TIMES = np.radians(12.0), 1.6   # and no interval comes to turn more than this, or so many even ones
 ROUNDS = 3                  # along tangents, where edges are bent
+LARGEST = 1.8               # times the outline's size: no interval of a straight edge becomes longer, or than even ones
 BLENDS = 6
 EFFORT = 500_000    # of optimise, for each round
 
@@ -53,7 +54,7 @@ def slid(outline, shares, points, quads, even):
     for _ in range(ROUNDS if any(not e.straight for e in edges) else 1):
         slides = np.concatenate([e.rows for e in edges]), np.concatenate([e.ways for e in edges])
         moved = optimise(moved, quads, fixed, EFFORT, slides, even)
-        new = _shares_of(edges, now, moved)
+        new = _shares_of(edges, now, moved, LARGEST * outline.size)
         if new is None:         # folded: then the even ones stay
             return shares, points, quads
         now, moved[:total] = new, np.concatenate(outline.place(new))
@@ -89,7 +90,7 @@ def _shape(chain):
     return False, float(turn) * len(step) / max(len(step) - 1, 1)
 
 
-def _shares_of(edges, shares, points):
+def _shares_of(edges, shares, points, longest):
     """The shares at which slid points are, None where they have passed each other."""
     new = [list(parts) for parts in shares]
     for e in edges:
@@ -97,15 +98,18 @@ def _shares_of(edges, shares, points):
         made = here + np.r_[0.0, ((points[e.rows] - e.chain[1:-1]) * e.ways).sum(axis=1) / e.length, 0.0]
         if (np.diff(made) <= 0.0).any():
             return None
-        new[e.loop][e.edge] = _gentle(made, e)[:-1]
+        new[e.loop][e.edge] = _gentle(made, e, longest)[:-1]
     return new
 
 
-def _gentle(made, edge):
-    """Shares (n+1,) drawn to even ones until no interval of a bent edge turns too much."""
+def _gentle(made, edge, longest):
+    """Shares (n+1,) drawn to even ones until no interval is too long, and none of a bent edge turns too much."""
     alike = np.linspace(0.0, 1.0, len(made))
+    most = max(longest / edge.length, alike[1] * (1.0 + 1e-9))
+    if not edge.straight:
+        most = max(MOST_TURN, MOST_TIMES * edge.turn * alike[1]) / edge.turn
     for _ in range(BLENDS):
-        if edge.straight or np.diff(made).max() * edge.turn < max(MOST_TURN, MOST_TIMES * edge.turn / (len(made) - 1)):
+        if np.diff(made).max() <= most:
             return made
         made = (made + alike) / 2.0
     return alike
