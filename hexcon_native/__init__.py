@@ -246,7 +246,8 @@ class SurfaceReport:
     convex                no edge is concave by more than the warp of its quads
     star_center           (3,) the deepest point that sees every corner triangle, or None
     star_margin           its distance to the nearest corner plane, in the unit of the points
-    volume                enclosed, without cavities; positive
+    volume                enclosed, without cavities; positive. None: the surface crosses or touches itself, and bounds
+                          no solid
     loops                 Loops
     """
 
@@ -258,7 +259,7 @@ class SurfaceReport:
             setattr(self, name, facts[name])
         self.fillable = (None, True, False)[facts["fillable"]]
         self.star_center = np.array(facts["star_center"]) if facts["star_shaped"] else None
-        self.volume = abs(facts["volume"])
+        self.volume = None if self.embedded is False else abs(facts["volume"])
         self.loops = loop_figures
 
     def as_dict(self):

@@ -124,7 +124,7 @@ class SurfaceReport:
     convex: bool
     star_center: NDArray[np.float64] | None
     star_margin: float
-    volume: float
+    volume: float | None
     loops: Loops
     def as_dict(self) -> dict[str, Any]: ...
 

@@ -271,6 +271,12 @@ def test_info(tmp_path):
     assert found["even"] and found["bipartite"] and found["convex"] and found["embedded"] and not found["crossings"]
     assert found["volume"] == pytest.approx(1.0)
     assert found["loops"] == {"count": 6, "lengths": [8] * 6, "self_crossings": [0] * 6}
+    assert "volume 1\n" in hexcon("info", tmp_path / "s.obj").stdout
+    points, quads = surface
+    through = points + 3.0 * (np.arange(len(points)) == 0)[:, None]      # one corner pulled out on the other side
+    found, told = facts("info", put(tmp_path / "x.obj", through, quads)), hexcon("info", tmp_path / "x.obj").stdout
+    assert found["embedded"] is False and found["crossings"] and found["volume"] is None
+    assert "no volume: it bounds no solid" in told and "volume 1" not in told
     crossing = put(tmp_path / "crossing.obj", *turn_edge(surface, 0))
     found = facts("info", crossing)
     assert sorted(found["loops"]["self_crossings"]) == [0, 0, 0, 6] and found["even"]

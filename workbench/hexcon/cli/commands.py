@@ -343,7 +343,8 @@ def info(options):
         f"quads         {fillable(report.n, report.fillable, report.embedded)}",
         f"orientation   {'outward' if report.oriented else 'inward, or some shells are (meshing turns them)'}",
         f"shape         {'convex' if report.convex else 'not convex'}, star centre {center}, "
-        f"volume {report.volume:.6g}", *_group_lines(surface),
+        + ("no volume: it bounds no solid" if report.volume is None else f"volume {report.volume:.6g}"),
+        *_group_lines(surface),
         *(f"note          {note}" for note in surface.notes)]
 
 
