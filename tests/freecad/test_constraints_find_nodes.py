@@ -208,3 +208,51 @@ def test_groups_where_the_distance_test_is_too_tight(doc, cylinder_in, tmp_path)
     fixed.References = [(solid, ("Face1", "Face2"))]
     names = {held.FemMesh.getGroupName(g): g for g in held.FemMesh.Groups}
     assert side < set(held.FemMesh.getGroupElements(names[fixed.Name + constraint_groups.ENDING]))
+
+
+def brep_for_gmsh(doc, solid, path):
+    """The solid as FreeCAD's own FEM gives it to gmsh."""
+    own = freecad_compat.fem_module("ObjectsFem").makeMeshGmsh(doc, "Own")
+    setattr(own, "Shape" if freecad_compat.version() >= (1, 0) else "Part", solid)
+    tools = freecad_compat.fem_module("femmesh.gmshtools").GmshTools(own)
+    tools.temp_file_geometry = str(path)
+    tools.write_part_file()
+    doc.removeObject(own.Name)
+    return freecad_compat.freecad_module("Part").read(str(path))
+
+
+def test_a_solid_in_a_moved_part_is_where_fem_has_it(freecad, doc, box_in, tmp_path):
+    """Two Parts around it, turned and moved: its surface and hexes lie where FreeCAD's own mesher would put them, so
+    that constraints find every node by themselves, and a force keeps its direction."""
+    from hexcon.calculix.constraint_groups import ENDING
+    from hexcon.calculix.constraints import nodes_found_by_freecad
+    from hexcon.document.analyses import into_analysis, load_and_solve
+    from hexcon.document.making_hexes import mesh_solid_object
+    app, solid = freecad, box_in((4, 2, 6))
+    place = app.Placement(app.Vector(100, 20, 3), app.Rotation(app.Vector(1, 2, 3), 40))
+    solid.Placement = app.Placement(app.Vector(0, 7, 0), app.Rotation(app.Vector(0, 0, 1), 30))
+    held = solid
+    for _ in range(2):
+        around = doc.addObject("App::Part", "Part")
+        around.Placement = place
+        around.addObject(held)
+        held = around
+    doc.recompute()
+    own = np.array([tuple(corner.Point) for corner in brep_for_gmsh(doc, solid, tmp_path / "own.brep").Vertexes])
+    made = mesh_solid_object(solid, 2.0)
+    for femmesh in (made.Surface.FemMesh, made.FemMesh):
+        found = np.array([tuple(node) for node in femmesh.Nodes.values()])
+        assert np.abs(found.min(axis=0) - own.min(axis=0)).max() < 1e-7
+        assert np.abs(found.max(axis=0) - own.max(axis=0)).max() < 1e-7
+    groups = {made.FemMesh.getGroupName(g): made.FemMesh.getGroupElements(g) for g in made.FemMesh.Groups}
+    for name, faces in groups.items():
+        nodes = {node for face in faces for node in made.FemMesh.getElementNodes(face)}
+        assert nodes_found_by_freecad(made.FemMesh, solid, name) == nodes
+    analysis = into_analysis(made)
+    fixed, = [one for one in analysis.Group if one.isDerivedFrom("Fem::ConstraintFixed")]
+    fixed.References = [(solid, "Face1")]
+    assert not any(made.FemMesh.getGroupName(g).endswith(ENDING) for g in made.FemMesh.Groups)
+    analysis.removeObject(made)
+    for direction in ((0.0, 0.0, 5.0), (1.0, 2.0, 3.0)):
+        result = load_and_solve(made, ["Face1"], {"Face2": direction})
+        assert result.report["force_sum"] == pytest.approx(direction) and result.max_displacement > 0

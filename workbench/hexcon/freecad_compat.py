@@ -106,6 +106,28 @@ def shape_of(obj):
     return shape if hasattr(shape, "Solids") else None
 
 
+def shape_in_whole(obj):
+    """A document object's shape, copied to its place in the whole: by its own Placement and those of what holds it."""
+    moved = obj.Shape.copy()
+    moved.Placement = obj.getGlobalPlacement() * obj.Placement.inverse() * moved.Placement
+    return moved
+
+
+def fem_shape_of(obj):
+    """shape_of, at the place where FreeCAD's FEM meshes it and seeks the nodes of constraints on its faces.
+
+    In 0.20 that is where its own Placement says, whatever App::Parts hold it; in 1.1 it is the place in the whole. What
+    versions between do is *unverified*: the FEM that is there is asked."""
+    shape = shape_of(obj)
+    if shape is None or not hasattr(obj, "getGlobalPlacement"):
+        return shape
+    own, whole = obj.Placement.Matrix.A, obj.getGlobalPlacement().Matrix.A
+    if max(abs(a - b) for a, b in zip(own, whole)) <= 1e-12:    # of turned solids the copy would differ by rounding
+        return shape
+    in_whole = hasattr(fem_module("femmesh.meshtools"), "sub_shape_at_global_placement")
+    return shape_in_whole(obj) if in_whole else shape
+
+
 def solid_of_mesh_object(mesh_object):
     """The linked solid, or None."""
     for link in ("Shape", "Part"):

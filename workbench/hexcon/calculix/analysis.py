@@ -119,7 +119,7 @@ class _Setup:
         elements = elements_of(self.mesh)
         self.mesh.quads = elements.quads[:, :4]
         self.mesh.face_of_quad = np.zeros(len(elements.quads), np.int64)
-        for number, face in enumerate(self.solid.Shape.Faces, 1):
+        for number, face in enumerate(freecad_compat.fem_shape_of(self.solid).Faces, 1):
             on_face = np.isin(self.mesh.node_ids, self.femmesh.getNodesByFace(face))
             inside = on_face[self.mesh.quads].all(axis=1)
             self.mesh.face_of_quad[inside & (self.mesh.face_of_quad == 0)] = number

@@ -8,6 +8,8 @@ references of a constraint change in an analysis with a hex mesh.
 from hexcon import freecad_compat
 from hexcon.femmesh.convert import add_group
 
+from .constraints import nodes_found_by_freecad
+
 ENDING = "_HexCon"      # of the groups made here
 
 _watching = []      # the observer, once there is one
@@ -99,5 +101,5 @@ def _missed(femmesh, groups, solid, constraint):
                 return None
             for face in femmesh.getGroupElements(groups[name]):
                 right.update(femmesh.getElementNodes(face))
-            found.update(femmesh.getNodesByFace(solid.Shape.getElement(name)))
+            found.update(nodes_found_by_freecad(femmesh, solid, name))
     return sorted(right) if right - found else None

@@ -88,7 +88,7 @@ def _parallel(a, b):
 
 def nodes_found_by_freecad(femmesh, solid, name):
     """Set of FreeCAD node numbers that lie on the CAD face, as every constraint seeks them."""
-    return set(femmesh.getNodesByFace(solid.Shape.getElement(name)))
+    return set(femmesh.getNodesByFace(freecad_compat.fem_shape_of(solid).getElement(name)))
 
 
 def ensure_nodes(mesh_object, mesh, elements, solid, constraints):

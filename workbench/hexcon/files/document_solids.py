@@ -10,7 +10,7 @@ import zipfile
 from dataclasses import dataclass
 
 from hexcon.errors import FaultCode, ToolError
-from hexcon.freecad_compat import freecad, freecad_module
+from hexcon.freecad_compat import freecad, freecad_module, shape_in_whole
 
 # Links of these names use an object up; others (supports, paths, "up to" faces, expressions) only look at it.
 _USES_UP = ("Base", "Tool", "Tools", "Shapes", "Links", "Source", "Sources", "Objects", "BaseFeature", "Profile",
@@ -105,7 +105,7 @@ def _of_object(document, name):
     if len(inside) > 1:
         inside = [p for p in inside if p.object is obj or not _is_used_up(p.object)]
     if not inside and _has_solids(obj):   # a feature of a body, say
-        inside = [Place(obj.Name, obj, _moved(obj.Shape, obj.getGlobalPlacement() * obj.Placement.inverse()), True)]
+        inside = [Place(obj.Name, obj, shape_in_whole(obj), True)]
     return inside
 
 

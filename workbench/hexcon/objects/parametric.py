@@ -200,8 +200,8 @@ def new_mesh_object(document, name, solid, proxy, view):
 
 
 def solid_shape(solid_object):
-    """A copy of the object's shape that another thread may use. Raises ToolError(BAD_SHAPE)."""
-    shape = freecad_compat.shape_of(solid_object)
+    """A copy of the object's shape, where FEM has it, that another thread may use. Raises ToolError(BAD_SHAPE)."""
+    shape = freecad_compat.fem_shape_of(solid_object)
     count = len(getattr(shape, "Solids", ()))
     if count != 1:
         raise ToolError(f"{getattr(solid_object, 'Label', solid_object)} holds {count} solids; "
