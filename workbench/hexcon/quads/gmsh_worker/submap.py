@@ -13,6 +13,7 @@ from .plane_mesh import coons, harmonic
 # tried after them where the wanted size is coarser than the outline's details.
 SCALES = (1.0, 0.9, 1.15, 1.3, 1.6, 2.0)
 COARSE = (3, 4, 5, 6, 8, 11)
+STEPS = np.array([[1, 0], [0, 1], [-1, 0], [0, -1]])       # of the lattice, per direction
 
 
 def submap_plan(outline):
@@ -34,15 +35,12 @@ def submap_mesh(outline, counts, boundary):
     """(points, quads) from counts of submap_plan and boundary points (Nb,2)."""
     headings = _headings(outline)
     ids, inside = _lattice(outline, headings, counts)
-    i, j = np.nonzero(inside)
-    quads = np.stack([ids[i, j], ids[i + 1, j], ids[i + 1, j + 1], ids[i, j + 1]], -1)
-    points = np.zeros((ids.max() + 1, 2))
-    points[:len(boundary)] = boundary
     if inside.all():
         w, h = inside.shape
+        points = np.zeros((ids.max() + 1, 2))
         points[ids.T] = coons(boundary[ids[:, 0]], boundary[ids[w, :]], boundary[ids[:, h]], boundary[ids[0, :]])
-        return points, quads
-    return harmonic(points, quads, np.arange(len(points)) < len(boundary)), quads
+        return points, _cells(ids, inside)
+    return harmonic_mesh(ids, inside, boundary)
 
 
 def _headings(outline):
@@ -84,7 +82,7 @@ def _lattice(outline, headings, counts):
     """(point numbers on the lattice, (w,h) cells inside), or None if the polygon touches or overlaps itself."""
     paths, steps = [], []
     for heading, c in zip(headings, counts):
-        step = np.array([[1, 0], [0, 1], [-1, 0], [0, -1]])[np.repeat(heading, c)]
+        step = STEPS[np.repeat(heading, c)]
         paths.append(np.concatenate([[[0, 0]], np.cumsum(step, axis=0)])[:-1])
         steps.append(step)
     if len(paths) > 1:
@@ -94,7 +92,7 @@ def _lattice(outline, headings, counts):
     if nodes.min() < 0 or (nodes.max(axis=0) > (paths[0] - low).max(axis=0)).any():
         return None
     inside = inside_of(nodes, np.concatenate(steps))
-    ids = numbered(nodes, inside)
+    ids = numbered(nodes, np.arange(len(nodes)), inside)
     return None if ids is None else (ids, inside)
 
 
@@ -117,20 +115,35 @@ def inside_of(nodes, steps):
     return (np.cumsum(toggles, axis=0)[:-1] % 2).astype(bool)
 
 
-def numbered(nodes, inside):
-    """Point numbers on the lattice, boundary first; None if a boundary point is met twice or lies inside."""
+def numbered(nodes, rows, inside):
+    """Point numbers on the lattice: rows (n,) at nodes (n,2) of its polygon, then those inside; None if the polygon
+    touches itself or has nodes inside."""
     w, h = inside.shape
     neighbours = np.zeros((w + 1, h + 1), int)
     for dx in (0, 1):
         for dy in (0, 1):
             neighbours[dx:w + dx, dy:h + dy] += inside
     ids = np.full((w + 1, h + 1), -1)
-    ids[nodes[:, 0], nodes[:, 1]] = np.arange(len(nodes))
+    ids[nodes[:, 0], nodes[:, 1]] = rows
     on = ids >= 0
     if on.sum() != len(nodes) or (on & ((neighbours == 4) | (neighbours == 0))).any():
         return None
     free = (neighbours > 0) & ~on
     if (neighbours[free] != 4).any():
         return None
-    ids[free] = len(nodes) + np.arange(free.sum())
+    ids[free] = rows.max() + 1 + np.arange(free.sum())
     return ids
+
+
+def harmonic_mesh(ids, inside, boundary):
+    """(points, quads) of the cells inside a lattice with its points numbered, boundary (Nb,2) the first of them."""
+    quads = _cells(ids, inside)
+    points = np.zeros((ids.max() + 1, 2))
+    points[:len(boundary)] = boundary
+    return harmonic(points, quads, np.arange(len(points)) < len(boundary)), quads
+
+
+def _cells(ids, inside):
+    """(n,4) quads."""
+    i, j = np.nonzero(inside)
+    return np.stack([ids[i, j], ids[i + 1, j], ids[i + 1, j + 1], ids[i, j + 1]], -1)

@@ -10,8 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..outline import CORNER, even, with_total
-from ..plane_mesh import harmonic
-from ..submap import inside_of
+from ..submap import STEPS, harmonic_mesh, inside_of, numbered
 from .charts import charts_of
 from .headings import runs_of
 from .lattice_counts import across, lattice_lines, run_counts
@@ -218,14 +217,8 @@ def lattice_mesh(boundary, lattice):
     if len(np.unique(rows[rows < len(boundary)])) != len(boundary):
         return None
     inside = inside_of(places, np.concatenate(steps))
-    ids = _numbered(places, rows, inside)
-    if ids is None:
-        return None
-    i, j = np.nonzero(inside)
-    quads = np.stack([ids[i, j], ids[i + 1, j], ids[i + 1, j + 1], ids[i, j + 1]], -1)
-    points = np.zeros((ids.max() + 1, 2))
-    points[:len(boundary)] = boundary
-    return harmonic(points, quads, np.arange(len(points)) < len(boundary)), quads
+    ids = numbered(places, rows, inside)
+    return None if ids is None else harmonic_mesh(ids, inside, boundary)
 
 
 def _path(lattice, loop, count):
@@ -237,8 +230,7 @@ def _path(lattice, loop, count):
     counts = run_counts(runs, lines)
     if (counts < 1).any():
         return None
-    heading = np.repeat([run.heading for run in runs], counts)
-    steps = np.array([[1, 0], [0, 1], [-1, 0], [0, -1]])[heading]
+    steps = STEPS[np.repeat([run.heading for run in runs], counts)]
     start = np.array([lines[-1], lines[0]] if runs[0].heading % 2 == 0 else [lines[0], lines[-1]])
     places = start + np.concatenate([[[0, 0]], np.cumsum(steps, axis=0)[:-1]])
     at = np.concatenate([[0], np.cumsum(counts)])
@@ -258,25 +250,6 @@ def _path(lattice, loop, count):
         rows[at[i] + 1:at[i + 1]] = inner if down is None else inner[::-1]
         down = i
     return places, rows, steps
-
-
-def _numbered(places, rows, inside):
-    """Point numbers on the lattice, given ones on its polygon; None if that touches itself or has points inside."""
-    w, h = inside.shape
-    neighbours = np.zeros((w + 1, h + 1), int)
-    for dx in (0, 1):
-        for dy in (0, 1):
-            neighbours[dx:w + dx, dy:h + dy] += inside
-    ids = np.full((w + 1, h + 1), -1)
-    ids[places[:, 0], places[:, 1]] = rows
-    on = ids >= 0
-    if on.sum() != len(places) or (on & ((neighbours == 4) | (neighbours == 0))).any():
-        return None
-    free = (neighbours > 0) & ~on
-    if (neighbours[free] != 4).any():
-        return None
-    ids[free] = rows.max() + 1 + np.arange(free.sum())
-    return ids
 
 
 def pillowed(points, quads, loops):
