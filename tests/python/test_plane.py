@@ -7,6 +7,7 @@ from hexcon.quads.gmsh_worker.plane.mesher import NoPlaneMesh, mesh_plane
 from hexcon.quads.gmsh_worker.plane.region import PlaneRegion
 from hexcon.quads.gmsh_worker.plane.split import split_mesh
 from hexcon.quads.gmsh_worker.plane.wishes import wishes
+from hexcon.quads.gmsh_worker.templates import TEMPLATES
 
 
 @pytest.fixture(autouse=True, scope="module")
@@ -77,6 +78,26 @@ def test_regions(name):
     mesh = mesh_plane(region, 1.0)
     assert not faults(region, mesh)
     assert mesh.name == road and mesh.low >= least and (quads is None or len(mesh.quads) == quads)
+
+
+LENS = [np.array([(0, 0), (2, -1), (4, 0), (2, 1)], float)], [np.array([2.0, 0.0, 2.0, 0.0])]
+OTHERS = {"lens": PlaneRegion(*LENS), "notched lens": PlaneRegion(LENS[0], [-LENS[1][0]]),
+          **{name: PlaneRegion(loops) for name, (loops, *_) in REGIONS.items()},
+          **{f"uneven rectangle from {k}": PlaneRegion([np.roll(polygon(SQUARE, [2, 4, 5, 1]), k, axis=0)])
+             for k in range(12)}}
+
+
+@pytest.mark.parametrize("name", OTHERS)
+def test_templates_leave_what_is_not_theirs(name):
+    """They give points with the boundary first, or None; none fails."""
+    region = OTHERS[name]
+    ones = [np.ones(len(loop), int) for loop in region.loops]
+    made = {road: build(region.outline(1.0), ones, region.boundary) for road, (_, build) in TEMPLATES.items()
+            if not road.startswith("lattice")}
+    assert all(mesh is None or np.array_equal(mesh[0][:len(region.boundary)], region.boundary)
+               for mesh in made.values())
+    assert name not in REGIONS or made[REGIONS[name][1]] is not None
+    assert "uneven" not in name or made["mapped"] is None
 
 
 def random_region(seed):

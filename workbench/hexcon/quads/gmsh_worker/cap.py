@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Choose the best all-quad mesh of a cap outline among the templates and the unstructured roads."""
 from dataclasses import dataclass
+from functools import cache, cached_property
 
 import numpy as np
 
@@ -9,12 +10,9 @@ from .fault import WorkerFault
 from .outline import even
 from .plane.slid import slid
 from .plane_mesh import image
-from .smooth import EVEN, POOR, evenness, merit, optimise, placed, scaled_jacobian
-from .templates import IF_POOR, TEMPLATES
+from .smooth import ANGLES, EVEN, POOR, evenness, merit, optimise, placed, scaled_jacobian
+from .templates import BONUS, GOOD, TEMPLATES, is_fine, lowest, templated
 
-GOOD = 0.75        # a template this good, as a share of what the corners allow, is taken at once
-FINE = 0.75, 0.93, 0.25     # worst as a share, mean, and quads up to four times as long as wide: no other is tried
-BONUS = 0.05       # what regular structure is worth, in scaled Jacobian
 ENOUGH = 0.7       # an unstructured mesh this good ends the search on a large cap
 LARGE = 3000       # quads
 
@@ -27,12 +25,14 @@ class CapMesh:
     top     (m,2) the same points on the upper cap, in its own plane
     quads   (n,4) counter-clockwise
     shares  of the outline's edges, per loop: see Outline
+    limit   what the outline's corners allow
     """
     name: str
     shares: list
     points: np.ndarray
     top: np.ndarray
     quads: np.ndarray
+    limit: float
 
     @property
     def counts(self):
@@ -44,14 +44,21 @@ class CapMesh:
         sj = [scaled_jacobian(p, self.quads) for p in (self.points, self.top)]
         return float(np.min(sj)), float(np.mean(sj))
 
-    def is_fine(self, limit):
-        """Whether others need not be tried."""
-        low, mean = self.quality()
-        return low > FINE[0] * limit and mean > FINE[1] and evenness(self.points, self.quads).min() > FINE[2]
+    @cached_property
+    def low(self):
+        """The minimum of quality."""
+        return self.quality()[0]
 
-    def score(self, limit):
+    @property
+    def is_fine(self):
+        """Whether others need not be tried."""
+        return is_fine(*self.quality(), evenness(self.points, self.quads).min(), self.limit)
+
+    @property
+    def score(self):
         """The lesser of both caps'."""
-        return min(merit(p, self.quads, limit) for p in (self.points, self.top)) + BONUS * (self.name in TEMPLATES)
+        return min(merit(p, self.quads, self.limit) for p in (self.points, self.top)) + \
+            BONUS * (self.name in TEMPLATES)
 
 
 def mesh_cap(outline, link, label):
@@ -59,69 +66,62 @@ def mesh_cap(outline, link, label):
 
     Raises WorkerFault NOT_SWEEPABLE if every road ends in an inverted quad.
     """
-    tried, plans = [], {}
-    for name, (plan, build) in TEMPLATES.items():
-        if name in IF_POOR and max((t.quality()[0] for t in tried), default=0.0) >= GOOD * outline.limit():
-            continue
-        if plan not in plans:
-            plans[plan] = plan(outline)
-        for counts in plans[plan]:
-            if not any(t.is_fine(outline.limit()) for t in tried):
-                _try(tried, outline, name, counts, build)
+    tried = templated(outline.limit(), cache(lambda plan: plan(outline)), lambda *one: _tried(outline, *one))
     link.progress("cap", 0.3)
-    best = max((t.quality()[0] for t in tried), default=0.0)
-    if best < GOOD * outline.limit():
+    if lowest(tried) < GOOD * outline.limit():
         _pave(tried, outline, link, label)
     if not tried:
         raise WorkerFault("NOT_SWEEPABLE", "the cap could not be meshed with valid quads")
-    return max(tried, key=lambda mesh: mesh.score(outline.limit()))
+    return max(tried, key=lambda mesh: mesh.score)
 
 
 def _pave(tried, outline, link, label):
     """The unstructured roads: all of the first four on a small cap, more only while the best is poor."""
     for k, (road, algorithm, scale) in enumerate(paved.VARIANTS):
-        best = max((t.quality()[0] for t in tried), default=0.0)
         large = any(len(t.quads) > LARGE for t in tried)
-        if best > ENOUGH * outline.limit() and (k >= 4 or large):
+        if lowest(tried) > ENOUGH * outline.limit() and (k >= 4 or large):
             return
         if link.risk(f"{label} {road} {algorithm} {scale:g}"):
-            _try_paved(tried, outline, road, algorithm, scale)
+            tried += _paved(outline, road, algorithm, scale)
         link.progress("cap", 0.3 + 0.5 * (k + 1) / len(paved.VARIANTS))
 
 
-def _try(tried, outline, name, counts, build):
+def _tried(outline, name, counts, build):
+    """[CapMesh] of a template."""
     shares = even(counts)
     made = build(outline, counts, np.concatenate(outline.place(shares)))
     if made is None or not name.startswith("lattice"):
-        _keep(tried, outline, name, shares, made)
-        return
-    for weight in (EVEN, EVEN / 30.0):      # where even quads are poor, angles alone may do
+        return _valid(outline, name, shares, made)
+    tried = []
+    for weight in (EVEN, ANGLES):       # where even quads are poor, angles alone may do
         own, *moved = slid(outline, shares, *made, weight)
-        before = len(tried)
-        _keep(tried, outline, name, own, moved)
-        if len(tried) > before and tried[-1].quality()[0] > POOR * outline.limit():
-            return
+        found = _valid(outline, name, own, moved)
+        tried += found
+        if lowest(found) > POOR * outline.limit():
+            break
+    return tried
 
 
-def _try_paved(tried, outline, road, algorithm, scale):
+def _paved(outline, road, algorithm, scale):
+    """[CapMesh] of an unstructured road."""
     plan, build = {"halved": (paved.halved_plan, paved.halved_mesh),
                    "direct": (paved.direct_plan, paved.direct_mesh)}[road]
     counts = plan(outline, scale)
     if any(c is None for c in counts):
-        return
+        return []
     shares = even(counts)
     try:
         made = build(outline.place(shares), outline.size / scale, algorithm)
     except Exception as error:      # gmsh raises plain Exception; another road may do
         print(f"cap: {road} {algorithm}: {error}")
-        return
-    _keep(tried, outline, f"{road}-{algorithm}-{scale:g}", shares, made)
+        return []
+    return _valid(outline, f"{road}-{algorithm}-{scale:g}", shares, made)
 
 
-def _keep(tried, outline, name, shares, made):
-    """Smooth a mesh on both caps and keep it if it is valid on both."""
+def _valid(outline, name, shares, made):
+    """[CapMesh] of a mesh smoothed on both caps, [] if it is not valid on both."""
     if made is None:
-        return
+        return []
     points, quads = made
     outline_top = np.concatenate(outline.place_top(shares))
     fixed = np.arange(len(points)) < len(outline_top)
@@ -129,11 +129,10 @@ def _keep(tried, outline, name, shares, made):
     top = image(points, quads, outline_top)
     if scaled_jacobian(top, quads).min() < scaled_jacobian(points, quads).min() - 0.02:
         top = optimise(top, quads, fixed)
-    cap = CapMesh(name, shares, points, top, quads)
+    cap = CapMesh(name, shares, points, top, quads, outline.limit())
     low, mean = cap.quality()
     print(f"cap: {name}: {len(quads)} quads, scaled Jacobian {low:.3f} to mean {mean:.3f}")
-    if low > 0.01 and _is_simple(quads):
-        tried.append(cap)
+    return [cap] if low > 0.01 and _is_simple(quads) else []
 
 
 def _is_simple(quads):

@@ -8,6 +8,7 @@ from scipy.optimize import minimize
 
 _TINY = 1e-300
 EVEN = 0.3      # weight of aspect ratios beside angles
+ANGLES = EVEN / 30.0    # the same where angles are to rule
 POOR = 0.7      # of what the corners allow: below it angles alone are looked at, too
 
 
@@ -88,7 +89,7 @@ def placed(points, quads, fixed, limit):
     """optimise with even quads in mind; where the worst is far from `limit`, with it alone: the better by merit."""
     best = optimise(points, quads, fixed)
     if scaled_jacobian(best, quads).min() < POOR * limit:
-        best = max(best, optimise(best, quads, fixed, even=EVEN / 30.0), key=lambda p: merit(p, quads, limit))
+        best = max(best, optimise(best, quads, fixed, even=ANGLES), key=lambda p: merit(p, quads, limit))
     return best
 
 

@@ -32,9 +32,12 @@ def submap_plan(outline):
 
 
 def submap_mesh(outline, counts, boundary):
-    """(points, quads) from counts of submap_plan and boundary points (Nb,2)."""
+    """(points, quads) from counts of submap_plan and boundary points (Nb,2); None from others."""
     headings = _headings(outline)
-    ids, inside = _lattice(outline, headings, counts)
+    lattice = None if headings is None else _lattice(outline, headings, counts)
+    if lattice is None:
+        return None
+    ids, inside = lattice
     if inside.all():
         w, h = inside.shape
         points = np.zeros((ids.max() + 1, 2))
@@ -79,11 +82,14 @@ def _closing(desired, least, heading):
 
 
 def _lattice(outline, headings, counts):
-    """(point numbers on the lattice, (w,h) cells inside), or None if the polygon touches or overlaps itself."""
+    """(point numbers on the lattice, (w,h) cells inside); None if the polygon is open, touches or overlaps itself."""
     paths, steps = [], []
     for heading, c in zip(headings, counts):
         step = STEPS[np.repeat(heading, c)]
-        paths.append(np.concatenate([[[0, 0]], np.cumsum(step, axis=0)])[:-1])
+        path = np.concatenate([[[0, 0]], np.cumsum(step, axis=0)])
+        if path[-1].any():
+            return None
+        paths.append(path[:-1])
         steps.append(step)
     if len(paths) > 1:
         _place_holes(paths, outline.place(even(counts)))

@@ -2,7 +2,8 @@
 """Structured quad meshes of caps with a simple outline.
 
 Each template has plans (Outline -> list of interval counts per loop, empty where it does not apply) and a
-mesh (Outline, counts, boundary (Nb,2) -> points, quads; or None). Points 0..Nb-1 are the boundary, loop after loop.
+mesh (Outline, counts, boundary (Nb,2) -> points, quads; or None, also for counts that are of no plan of it). Points
+0..Nb-1 are the boundary, loop after loop.
 """
 from functools import partial
 
@@ -12,6 +13,10 @@ from .outline import even, rounded, with_total
 from .plane.lattice import lattice_plans, lattice_template
 from .plane_mesh import Builder
 from .submap import submap_mesh, submap_plan
+
+GOOD = 0.75     # of what the corners allow: with a mesh this good nothing but templates is tried
+FINE = 0.75, 0.93, 0.25     # worst as a share, mean, and quads up to four times as long as wide: no other is tried
+BONUS = 0.05    # what regular structure is worth, in scaled Jacobian
 
 # --- midpoint: a convex polygon with n corners becomes n blocks about its middle -------------------
 
@@ -51,8 +56,7 @@ def _convex_sides(outline):
 
 def midpoint_mesh(outline, counts, boundary):
     sides = _convex_sides(outline)
-    totals = np.array([counts[0][s].sum() for s in sides])
-    spokes = _spokes(totals)
+    spokes = None if sides is None else _spokes(np.array([counts[0][s].sum() for s in sides]))
     if spokes is None:
         return None
     starts = np.concatenate([[0], np.cumsum(counts[0])])
@@ -108,14 +112,20 @@ def _spokes(totals):
 
 def ogrid_plan(outline):
     """A total that is a multiple of four."""
-    if len(outline.turn) != 1 or len(outline.corners()):
+    if not _is_smooth(outline):
         return None
     total = 4 * max(2, int(np.rint(outline.desired[0].sum() / 4)), int(np.ceil(outline.least[0].sum() / 4)))
     counts = with_total(outline.desired[0], outline.least[0], total)
     return None if counts is None else [counts]
 
 
+def _is_smooth(outline):
+    return len(outline.turn) == 1 and not len(outline.corners())
+
+
 def ogrid_mesh(outline, counts, boundary):
+    if not _is_smooth(outline):
+        return None
     centre, axes, half = _principal_box(boundary)
     total = len(boundary)
     wide = int(np.clip(np.rint(total / 2 * half[0] / half.sum()), 1, total // 2 - 1))
@@ -224,7 +234,10 @@ def _half_arms(flat):
 
 
 def half_ogrid_mesh(outline, counts, boundary):
-    base, bulge = _two_sides(outline)
+    sides = _two_sides(outline)
+    if sides is None:
+        return None
+    base, bulge = sides
     starts = np.concatenate([[0], np.cumsum(counts[0])])
     total, flat, round_ = len(boundary), int(counts[0][base].sum()), int(counts[0][bulge].sum())
     line = (int(starts[base[0]]) + np.arange(flat + 1)) % total
@@ -232,6 +245,8 @@ def half_ogrid_mesh(outline, counts, boundary):
     arms = _half_arms(flat)
     wide = flat - 2 * arms
     high = (round_ - wide) // 2
+    if wide < 0 or high < 1:
+        return None
     build = Builder(boundary)
     centre = (boundary[line[0]] + boundary[line[-1]]) / 2
     layers = [arc]
@@ -289,7 +304,7 @@ def _edge_shift(outline):
 
 def ring_mesh(outline, counts, boundary):
     n = int(counts[0].sum())
-    if counts[1].sum() != n:
+    if len(counts) != 2 or counts[1].sum() != n:
         return None
     outer, inner = boundary[:n], boundary[n:]
     if len(counts[0]) == len(counts[1]) > 1:
@@ -333,3 +348,31 @@ TEMPLATES = {"mapped": (_only(submap_plan), submap_mesh), "midpoint": (_only(mid
 
 IF_POOR = {name for name in _LATTICES if "outer" in name}
 """Of them those that are worth a try only where no other is good: a ring along the outline splits its corners."""
+
+
+def lowest(meshes):
+    """The worst scaled Jacobian of the best of meshes, 0 of none."""
+    return max((mesh.low for mesh in meshes), default=0.0)
+
+
+def is_fine(low, mean, even, limit):
+    """Whether a mesh need not be compared with others. even: of its least even quad; limit: what the corners allow"""
+    return low > FINE[0] * limit and mean > FINE[1] and even > FINE[2]
+
+
+def templated(limit, plans, attempt):
+    """The meshes of templates, which have `low` and `is_fine`, until one is fine.
+
+    limit: what the corners allow; plans: callable (a template's plans) -> list of counts;
+    attempt: callable (name, counts, a template's mesh) -> list of meshes
+    """
+    tried = []
+    for name, (plan, build) in TEMPLATES.items():
+        if name in IF_POOR and lowest(tried) >= GOOD * limit:
+            continue
+        for counts in plans(plan):
+            made = attempt(name, counts, build)
+            tried += made
+            if any(mesh.is_fine for mesh in made):
+                return tried
+    return tried
