@@ -76,15 +76,19 @@ def mesh_and_solve():
 
 
 def report(mesh, result, mesh_seconds, solve_seconds, paths):
+    from hexcon.judging.curved import of_curving
+
     quality = mesh.quality
     print(f"part          {os.path.relpath(PART, ROOT)}, size {SIZE} mm")
     print(f"surface       {len(mesh.quads)} quads")
-    for note in mesh.surface.notes:
+    for note in mesh.report["surface notes"]:
         print(f"              {note}")
     print(f"mesh          {len(mesh.hexes)} hexes, {len(mesh.points)} nodes, order {mesh.order}, "
           f"{mesh_seconds:.1f} s")
     print(f"quality       scaled Jacobian min {quality.min:.3f}, 5 % {quality.q05:.3f}, "
           f"mean {quality.mean:.3f}")
+    for sentence in of_curving(mesh.report):
+        print(f"curved        {sentence}")
     print("certificate   " + ("every Jacobian proved positive, proper, boundary exact"
                               if mesh.certificate.certified else repr(mesh.certificate)))
     print(f"solved        CalculiX, {solve_seconds:.1f} s")

@@ -617,6 +617,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{count} hexes have curved edges, which are drawn straight here; colours and figures are of the curved hexes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{stage}: {count}</source>
         <translation type="unfinished"></translation>
     </message>

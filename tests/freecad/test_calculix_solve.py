@@ -117,6 +117,7 @@ def test_force_on_a_round_face_is_put_right(doc, cylinder_in, order):
                             fixed=["Face2"], force={"Face3": (0, 0, -100.0)})
     assert np.allclose(force_in_deck(result).sum(axis=0), (0, 0, -100.0), atol=1e-6)
     assert len(result.report["notes"]) == 1 and "replaced" in result.report["notes"][0]
+    assert ("straight edges" in result.report) == (order == 2)    # the mesh has order 1
 
 
 def test_curved_faces_at_second_order(doc, cylinder_in):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Order 2 on solids: the boundary's middle nodes lie on the CAD, and what would fold keeps part of its curvature."""
 import os
+from dataclasses import replace
 
 import curved_solids
 import numpy as np
@@ -9,6 +10,12 @@ from mesh_checker import boundary_faults
 
 import hexcon
 import hexcon_native as hn
+from hexcon.calculix.deck import static_deck
+from hexcon.femmesh.second_order import RAISED
+from hexcon.judging.curved import of_curving
+from hexcon.meshing import Strategy
+from hexcon.quads import surface_from_solid
+from hexcon.quads.fit import Fit, notes_of_curved
 
 EDGES = np.array([(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)])
 
@@ -50,6 +57,8 @@ def test_round_solids(solids, name, size, exact):
     mesh = hexcon.mesh_solid(solids[name], size, order=2)
     flat = hexcon.mesh_solid(solids[name], size)
     told = mesh.report["curved"]
+    assert any("chords cut round faces" in note for note in flat.report["surface notes"])
+    assert not any("chords cut round faces" in note or "% off" in note for note in mesh.report["surface notes"])
     assert mesh.certificate.certified and hn.certify(mesh.points, mesh.hexes, mesh.quads).certified
     assert boundary_faults(mesh.hexes[:, :8], mesh.quads) == []
     assert told["straight"] == told["reduced_count"] == 0
@@ -66,6 +75,31 @@ def test_round_solids(solids, name, size, exact):
     assert 50 * errors[0] < errors[1]
     assert told["volume"] == pytest.approx(volume(mesh.points, mesh.hexes), rel=1e-9)
     assert told["cad_volume"] == pytest.approx(exact, rel=1e-6)
+
+
+def test_straight_edges_are_told(solids):
+    """Of quads alone, and where CAD faces are not known: by the report; of a mesh raised to order 2: by the deck."""
+    surface = surface_from_solid(solids["cylinder"], 5)
+    mesh = hexcon.mesh_quad_surface(surface, order=2)
+    assert of_curving(mesh.report) == [mesh.report["straight edges"]]
+    assert "without their solid" in of_curving(mesh.report)[0]
+    assert any("chords cut round faces" in note for note in mesh.report["surface notes"])
+    unknown = replace(surface, face_of_quad=0 * surface.face_of_quad)
+    mesh = Strategy(order=2).of_surface(unknown, solid=solids["cylinder"])
+    assert "which face of the solid" in of_curving(mesh.report)[0]
+    flat = hexcon.mesh_quad_surface(surface)
+    assert of_curving(flat.report) == []
+    loads = {"fixed": ("Face1",), "force": {"Face2": (1.0, 0.0, 0.0)}}
+    assert RAISED in static_deck(flat, order=2, **loads)
+    assert RAISED not in static_deck(flat, **loads)
+
+
+def test_notes_of_curved_quads():
+    fit = Fit(100.0, 60.0, -0.031, 0.0, 0.1, 0.1, lost_faces=(3,))
+    chords, lost = fit.notes(0.01)
+    assert notes_of_curved([chords, lost], -1e-5, 0.01) == [lost]
+    assert notes_of_curved([chords, lost], -0.02, 0.01) == [
+        lost, "the volume is -2.0 % off, more than 1 %, although edges are curved; a smaller size fits better"]
 
 
 def test_surfaces_without_closed_forms(solids):

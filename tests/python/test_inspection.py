@@ -19,6 +19,7 @@ from hexcon.inspection.faces import bare_faces, edges_of_quads, neighbours  # no
 from hexcon.inspection.figures import spread, worst  # noqa: E402
 from hexcon.inspection.opening import InspectedMesh, Opening  # noqa: E402
 from hexcon.inspection.peeling import layers  # noqa: E402
+from hexcon.judging import words  # noqa: E402
 from hexcon.pictures.palette import INVERTED, QUALITY, quality_colours  # noqa: E402
 
 AXES = {"x": 0, "y": 1, "z": 2}
@@ -167,7 +168,18 @@ def test_second_order_hexes_by_their_corners():
     mesh = block(2, 2, 2)
     points, hexes = hn.raise_order(mesh.points, mesh.hexes)
     found = InspectedMesh(SimpleNamespace(points=points, hexes=hexes))
-    assert found.hexes.shape == (8, 8) and np.allclose(found.scaled_jacobian, 1.0)
+    assert found.hexes.shape == (8, 8) and np.allclose(found.scaled_jacobian, 1.0) and found.curved == 0
+
+
+def test_curved_hexes_are_judged_as_they_are():
+    """One figure everywhere: that of a check of the same mesh, not that of the straight hex between the corners."""
+    mesh = block(2, 1, 1)
+    points, hexes = hn.raise_order(mesh.points, mesh.hexes)
+    points[hexes[0, 8]] += (0.0, 0.0, 0.1)
+    found, checked = InspectedMesh(SimpleNamespace(points=points, hexes=hexes)), hn.quality(points, hexes)
+    assert np.array_equal(found.scaled_jacobian, checked.scaled_jacobian) and checked.min < 0.9 and found.curved == 1
+    told = dict(words.of_opening(found, np.ones(2, bool), 10))
+    assert f"{checked.min:.3f}" in told["Scaled Jacobian"] and "drawn straight" in told["Note"]
 
 
 @pytest.mark.parametrize("count", [0, 1, 7, 125, 1000])

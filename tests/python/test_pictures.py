@@ -2,6 +2,7 @@
 """The rendered picture: drawn without a screen, not empty, nothing left on failure."""
 import pathlib
 import sys
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ import pytest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from hex_grids import block, distorted  # noqa: E402
 
+import hexcon_native as hn  # noqa: E402
 from hexcon import pictures  # noqa: E402
 from hexcon.errors import FaultCode, ToolError  # noqa: E402
 
@@ -49,6 +51,23 @@ def test_displacements_of_second_order_and_without_any(tmp_path):
     pictures.render(mesh, tmp_path / "p.png", displacements=0 * mesh.points)
     pictures.render(mesh, tmp_path / "p.png", size=(400, 300))
     assert pixels(tmp_path / "p.png").shape == (300, 400, 3)
+
+
+def test_curved_hexes_are_drawn_and_judged_as_they_are(tmp_path, monkeypatch):
+    """A hex whose upper edges sag covers less of the picture; its figures are those that hn.quality has of it."""
+    mesh = block(1, 1, 1)
+    points, hexes = hn.raise_order(mesh.points, mesh.hexes)
+    sagging = points.copy()
+    sagging[hexes[0, 12:16], 2] -= 0.2
+    covered, jobs = [], []
+    for one in (points, sagging):
+        pictures.render(SimpleNamespace(points=one, hexes=hexes), tmp_path / "p.png")
+        covered.append((pixels(tmp_path / "p.png")[150:650].min(axis=2) < 0.95).sum())
+    assert 0.8 * covered[0] < covered[1] < 0.97 * covered[0]
+    monkeypatch.setattr(pictures, "draw", lambda program, job, *_: jobs.append(job))
+    pictures.render(SimpleNamespace(points=sagging, hexes=hexes), tmp_path / "p.png")
+    assert jobs[0]["quality"].tolist() == hn.quality(sagging, hexes).scaled_jacobian.tolist()
+    assert jobs[0]["quality"][0] < 0.95 and hn.quality(sagging, hexes[:, :8]).min == 1.0
 
 
 def test_cut_shows_inner_hexes(tmp_path):

@@ -6,6 +6,7 @@ import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.elements import elements_of
+from hexcon.femmesh.second_order import RAISED, is_raised
 from hexcon.files.abaqus import write_mesh
 from hexcon.files.text import write_list, write_rows
 from hexcon.topological import refuse_topological
@@ -30,7 +31,8 @@ def static_deck(mesh, material=None, fixed=("Face1",), force=None, pressure=None
                 allow_topological=False):
     """Text of a deck that ccx runs as it is.
 
-    mesh        see elements_of; order 1 (C3D8), 2 (C3D20), None: the mesh's own
+    mesh        see elements_of; order 1 (C3D8), 2 (C3D20; of a mesh of order 1 with straight edges, and a comment says
+                so), None: the mesh's own
     element     C3D8, C3D8R, C3D20 or C3D20R; None: C3D8 or C3D20
     material    see material.material_of
     fixed       names of CAD faces, or of groups of the mesh, held in x, y, z; so are the names of loads
@@ -49,7 +51,7 @@ def static_deck(mesh, material=None, fixed=("Face1",), force=None, pressure=None
                         "a singular system", FaultCode.BAD_OPTION)
     check_loads(force, pressure, prescribed)
     out = io.StringIO()
-    out.write("** HexCon: linear static analysis; N, mm, MPa\n")
+    out.write("** HexCon: linear static analysis; N, mm, MPa\n" + (f"** {RAISED}\n" if is_raised(mesh, order) else ""))
     write_mesh(out, elements, element)
     out.write(f"*MATERIAL, NAME=SOLID\n*ELASTIC\n{material.young!r}, {material.poisson!r}\n"
               f"*DENSITY\n{material.density!r}\n"

@@ -4,32 +4,12 @@ import math
 
 import numpy as np
 
+from hexcon.curving.curving_worker.quad_shape import quad_shape
 from hexcon.errors import FaultCode, ToolError
 
 _G2 = 1 / np.sqrt(3.0)
 _G3 = np.sqrt(0.6)
 _RULE = {4: ([-_G2, _G2], [1.0, 1.0]), 8: ([-_G3, 0.0, _G3], [5 / 9, 8 / 9, 5 / 9])}
-_CORNERS = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
-_MIDDLES = np.array([(0, -1), (1, 0), (0, 1), (-1, 0)])
-
-
-def _shape(n_nodes, u, v):
-    """Values (n,) and derivatives (n,2) of the 4- or 8-node quad's shape functions."""
-    a, b = _CORNERS.T
-    p, q = 1 + a * u, 1 + b * v
-    values, du, dv = p * q / 4, a * q / 4, b * p / 4
-    if n_nodes == 4:
-        return values, np.column_stack([du, dv])
-    r = a * u + b * v - 1
-    corner = (p * q * r / 4, a * q * (r + p) / 4, b * p * (r + q) / 4)
-    a, b = _MIDDLES.T
-    across, along = 1 + a * u, 1 + b * v
-    level = b != 0  # middles of the edges v = -1, 1 carry 1 - u^2
-    middle = (np.where(level, (1 - u * u) * along, (1 - v * v) * across) / 2,
-              np.where(level, -2 * u * along, (1 - v * v) * a) / 2,
-              np.where(level, (1 - u * u) * b, -2 * v * across) / 2)
-    values, du, dv = (np.concatenate(pair) for pair in zip(corner, middle))
-    return values, np.column_stack([du, dv])
 
 
 def node_areas(points, quads):
@@ -42,7 +22,7 @@ def node_areas(points, quads):
     areas = np.zeros(quads.shape)
     for u, wu in zip(places, weights):
         for v, wv in zip(places, weights):
-            values, slopes = _shape(quads.shape[1], u, v)
+            values, slopes = quad_shape(quads.shape[1], u, v)
             tangents = np.einsum("nkx,kd->ndx", corners, slopes)
             size = np.linalg.norm(np.cross(tangents[:, 0], tangents[:, 1]), axis=1)
             areas += wu * wv * size[:, None] * values

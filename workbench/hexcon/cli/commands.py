@@ -141,7 +141,7 @@ def _made_of(mesh):
 
 def _mesh_lines(mesh):
     lines = [f"surface       {len(mesh.quads)} quads, method {mesh.surface.method}"]
-    lines += [f"              {note}" for note in mesh.surface.notes]
+    lines += [f"              {note}" for note in mesh.report["surface notes"]]
     if mesh.surface.fit and "curved" not in mesh.report:     # which tells of the same, with curved faces
         lines.append(f"fit           {mesh.surface.fit.words()}")
     lines += [f"mesh          {len(mesh.hexes)} hexes, {len(mesh.points)} points, order "

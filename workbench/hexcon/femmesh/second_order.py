@@ -9,6 +9,14 @@ from .hexahedron import EDGES, FACES_8
 # with six figures, leave of an edge that is straight.
 STRAIGHT = 1e-6
 
+RAISED = ("raised to order 2: the edges are straight, and chords cut round faces as at order 1; hexes made at order 2 "
+          "from their solid are curved")
+
+
+def is_raised(mesh, order):
+    """Whether a mesh-like object has order 1, and is wanted at order 2."""
+    return order == 2 and np.asarray(mesh.hexes).shape[-1] == 8
+
 
 def curved_edges(points, hexes):
     """(H,12) bool, of (H,8|20) hexes: the edges that are not straight, to STRAIGHT; none of order 1."""

@@ -61,7 +61,7 @@ def write(mesh, path, *, order=None, allow_topological=False, **options):
     """Write a hex mesh; the ending of path decides the format.
 
     mesh     .points, .hexes, .quads, .face_of_quad (see femmesh.elements.elements_of)
-    order    1, 2 or None for the mesh's own
+    order    1, 2 (of a mesh of order 1: with straight edges) or None for the mesh's own
     allow_topological  write a mesh of topology only even to SOLVER_ENDINGS, which solvers take; .inp and
              .FCStd say that it is topological. The other formats, .med too, take it without
     options  .vtu and .vtk: point_data, cell_data (dicts of arrays); .FCStd: solid, a shape or a

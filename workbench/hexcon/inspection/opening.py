@@ -7,6 +7,7 @@ import numpy as np
 import hexcon_native
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.hexahedron import FACES
+from hexcon.femmesh.second_order import curved_edges
 
 from .cutting import AXES, behind_plane, centres_of
 from .faces import bare_faces, neighbours
@@ -17,7 +18,8 @@ from .stages import ALL, stage_of_hex
 class InspectedMesh:
     """What has to be known of a hex mesh before it can be opened any way.
 
-    points (P,3), hexes (H,8), hex_ids (H,) the elements' own numbers, quality hexcon_native.Quality,
+    points (P,3), hexes (H,8), which are drawn, hex_ids (H,) the elements' own numbers, quality hexcon_native.Quality,
+    curved: so many hexes of order 2 have edges that are not straight, and were judged with them,
     centres (H,3), across (H,6) of faces.neighbours, layer (H,) of peeling.layers,
     stages [(name, hexes)] from outside to inside, stage (H,) rows in them
     """
@@ -28,7 +30,8 @@ class InspectedMesh:
         self.points = np.ascontiguousarray(found.points, float)
         self.hexes = np.ascontiguousarray(np.asarray(found.hexes)[:, :8], np.int64)
         self.hex_ids = np.asarray(getattr(found, "hex_ids", np.arange(len(self.hexes))))
-        self.quality = hexcon_native.quality(self.points, self.hexes)
+        self.quality = hexcon_native.quality(self.points, found.hexes)
+        self.curved = int(curved_edges(self.points, np.asarray(found.hexes)).any(axis=1).sum())
         self.centres = centres_of(self.points, self.hexes)
         self.across = neighbours(self.hexes, len(self.points))
         self.layer = layers(self.hexes, self.across, len(self.points))

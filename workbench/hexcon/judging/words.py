@@ -143,11 +143,16 @@ def of_check(report):
 
 def of_opening(mesh, kept, faces):
     """Rows for an InspectedMesh of which kept (H,) hexes are left and so many faces drawn."""
-    return [(translate("HexCon", "Shown"), translate("HexCon", "{kept} of {all} hexes, {faces} faces").format(
+    rows = [(translate("HexCon", "Shown"), translate("HexCon", "{kept} of {all} hexes, {faces} faces").format(
                 kept=count(kept.sum()), all=count(len(kept)), faces=count(faces))),
             (translate("HexCon", "Layers"), translate("HexCon", "{count} from the boundary to the core").format(
                 count=count(mesh.thickness))),
             (translate("HexCon", "Scaled Jacobian"), _quality(mesh.quality))]
+    if mesh.curved:
+        rows.append((translate("HexCon", "Note"), translate(
+            "HexCon", "{count} hexes have curved edges, which are drawn straight here; colours and figures are of "
+            "the curved hexes").format(count=count(mesh.curved))))
+    return rows
 
 
 def stage_of_hexes(name, hexes):

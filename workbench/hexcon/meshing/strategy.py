@@ -13,6 +13,8 @@ from ..curving import curve
 from ..curving.given import curve_as_given
 from ..errors import FaultCode
 from ..quads import METHOD_TABLE as SURFACE_METHOD_TABLE, surface_from_solid
+from ..quads.fit import notes_of_curved
+from ..quads.solids import VOLUME_ERROR
 from ..topological import is_topological
 from .filling import mesh_surface
 from .progress import deadline_of, in_budget, limited, raising
@@ -31,6 +33,8 @@ _ENDS_ALL = (ErrorCode.CANCELLED, ErrorCode.OUT_OF_TIME, ErrorCode.OUT_OF_MEMORY
 
 # After these a mesh of order 2 is there, but with straight edges.
 _STAYS_STRAIGHT = (FaultCode.TOOL_FAILED, FaultCode.TOOL_TIMEOUT, ErrorCode.OUT_OF_TIME)
+_OF_QUADS_ALONE = "edges are straight: the hexes were made of quads alone, without their solid"
+_FACES_UNKNOWN = "edges are straight: it is not known on which face of the solid each quad lies"
 
 # Surfaces of more quads than this are diced before anything else where their method says so: no other method makes
 # fewer hexes of them, and to look for layers takes longer than to dice.
@@ -120,14 +124,24 @@ class Strategy:
         mesh = self._fill(surface, progress, deadline, last=True)
         if solid is not None:
             self._curve(mesh, solid, progress, deadline)
-        elif surface.middles is not None and self._options.get("order", 1) == 2 and not is_topological(mesh):
-            curve_as_given(mesh, *surface.middles, progress=limited(raising(progress), deadline))
+        elif self._is_to_be_curved(mesh):
+            if surface.middles is not None:
+                curve_as_given(mesh, *surface.middles, progress=limited(raising(progress), deadline))
+            else:
+                mesh.report["straight edges"] = _OF_QUADS_ALONE
         return mesh
 
+    def _is_to_be_curved(self, mesh):
+        """Whether it is of order 2, and for solvers."""
+        return self._options.get("order", 1) == 2 and not is_topological(mesh)
+
     def _curve(self, mesh, solid, progress, deadline):
-        """Curve what is of order 2, is for solvers, and knows its CAD faces. Where gmsh or the time fails, edges stay
-        straight, and the report says so."""
-        if self._options.get("order", 1) != 2 or is_topological(mesh) or not (mesh.face_of_quad > 0).all():
+        """Curve what is of order 2 and for solvers. Where its CAD faces are not known, or gmsh or the time fails, edges
+        stay straight, and the report says so."""
+        if not self._is_to_be_curved(mesh):
+            return
+        if not (mesh.face_of_quad > 0).all():
+            mesh.report["straight edges"] = _FACES_UNKNOWN
             return
         started = time.monotonic()
         try:
@@ -136,6 +150,11 @@ class Strategy:
             if fault.code not in _STAYS_STRAIGHT:
                 raise
             mesh.report["straight edges"] = f"edges stay straight: {fault.code.name}: {fault}"
+        else:
+            told = mesh.report["curved"]
+            mesh.report["surface notes"] = notes_of_curved(mesh.report["surface notes"],
+                                                           told["volume"] / told["cad_volume"] - 1.0,
+                                                           self._sizes.get("volume_error", VOLUME_ERROR))
         mesh.report["seconds curved edges"] = time.monotonic() - started
 
     def _surface(self, shape_or_file, size, number, progress):

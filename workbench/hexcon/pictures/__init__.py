@@ -9,19 +9,23 @@ import numpy as np
 
 import hexcon_native
 from hexcon import child, disk
+from hexcon.curving.curving_worker.quad_shape import quad_shape
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.elements import elements_of
+from hexcon.femmesh.hexahedron import FACES, FACES_8
 from hexcon.files import replace_file
 from hexcon.inspection.cutting import behind_plane, centres_of
+from hexcon.inspection.faces import bare_faces, neighbours
 from hexcon.interpreter import python
 
 _FOLDER = os.path.dirname(os.path.abspath(__file__))
+_PIECES, _FEW_PIECES, _MANY = 4, 2, 20000   # flat pieces along an edge of order 2; fewer where there are many faces
 
 
 def render(mesh, path, *, displacements=None, warp=None, cut="auto", title=None,
            size=None, timeout=300):
     """Write a PNG: left the mesh, cut open between whole hexahedra and coloured by scaled
-    Jacobian; right, where displacements are given, the displaced shape.
+    Jacobian; right, where displacements are given, the displaced shape. Of order 2 with its curved edges.
 
     displacements  (P,3) mm, in the mesh's node order; of an order 1 mesh also those
                    of a run at order 2
@@ -54,10 +58,9 @@ def draw(program, job, path, timeout=300):
 
 
 def _job(elements, displacements, warp, cut, title, size):
-    """Plain arrays for scene.py; edges are drawn straight, from corner to corner."""
-    points, hexes = elements.points, elements.hexes[:, :8]
-    quality = hexcon_native.quality(points, hexes).scaled_jacobian
-    job = {"points": points, "hexes": hexes, "quality": quality, "title": title or ""}
+    """Plain arrays for scene.py."""
+    points, hexes = elements.points, elements.hexes
+    job = {"points": points, "quality": hexcon_native.quality(points, hexes).scaled_jacobian, "title": title or ""}
     if displacements is not None:
         displacements = np.asarray(displacements, float)
         if elements.order == 1 and len(displacements) > len(points):
@@ -74,8 +77,23 @@ def _job(elements, displacements, warp, cut, title, size):
         job.update(displacements=displacements, warp=float(warp))
     job["size"] = np.array(size or ((1700, 850) if displacements is not None
                                     else (1000, 850)))
-    job["keep"] = kept(points, hexes, cut)
+    job.update(_faces_to_draw(elements, kept(points, hexes[:, :8], cut)))
     return job
+
+
+def _faces_to_draw(elements, keep):
+    """Arrays for scene.py: the faces of the hexes outside, and of those that are kept, with their rows, and the shape
+    functions at the places between which faces are drawn flat."""
+    hexes = elements.hexes
+    across = neighbours(hexes[:, :8], len(elements.points))
+    outside, shown = (bare_faces(across, one) for one in (np.ones(len(hexes), bool), keep))
+    nodes = FACES if elements.order == 1 else FACES_8
+    pieces = 1 if elements.order == 1 else _PIECES if len(outside[0]) < _MANY else _FEW_PIECES
+    along = np.linspace(-1.0, 1.0, pieces + 1)
+    return {"outside": hexes[outside[0][:, None], nodes[outside[1]]],
+            "shown": hexes[shown[0][:, None], nodes[shown[1]]],
+            "shown_hexes": shown[0], "cut": not keep.all(),
+            "weights": np.array([quad_shape(nodes.shape[1], u, v)[0] for v in along for u in along])}
 
 
 def _round_factor(factor):

@@ -15,10 +15,9 @@ Colours are 0 to 1. Any array may be empty.
 import sys
 
 import numpy as np
-from scene import EDGE, renderer, save, text_actor, window_of
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from scene import EDGE, cells_of, points_of, renderer, save, text_actor, window_of
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkGlyph3D, vtkTubeFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
@@ -28,19 +27,6 @@ FREE = (0.11, 1.0)  # of a panel's height: above its caption
 LIGHTS = (((-0.5, 1.2, 1.0), 0.75), ((0.6, -0.2, 1.0), 0.35))  # where, seen from the viewer, and how strong
 THICKNESS = 0.011  # of a tube, of the size of what is seen
 PALE = (0.60, 0.62, 0.65)
-
-
-def points_of(array):
-    made = vtkPoints()
-    made.SetData(numpy_to_vtk(np.ascontiguousarray(array, np.float64), deep=True))
-    return made
-
-
-def cells_of(starts, ids):
-    """vtkCellArray of cells of unequal length."""
-    made = vtkCellArray()
-    made.SetData(*(numpy_to_vtkIdTypeArray(np.ascontiguousarray(a, np.int64), deep=True) for a in (starts, ids)))
-    return made
 
 
 def bytes_of(colours):

@@ -10,9 +10,8 @@ from palette import INVERTED, QUALITY
 from vtkmodules import vtkInteractionStyle, vtkRenderingContextOpenGL2, vtkRenderingFreeType, vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
-from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, vtkCellArray, vtkUnstructuredGrid
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges
-from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkFeatureEdges
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
@@ -34,20 +33,58 @@ VIEW = np.array([-0.42, -1.0, 0.52])  # from the solid to the viewer
 FREE = (0.17, 0.85)  # of the height: between the scalar bar and the captions
 
 
-def grid(points, hexes, name, values, on_points):
-    """vtkUnstructuredGrid with one array of scalars."""
-    made = vtkUnstructuredGrid()
-    vtk_points = vtkPoints()
-    vtk_points.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
-    made.SetPoints(vtk_points)
-    cells = vtkCellArray()
-    cells.SetData(8, numpy_to_vtkIdTypeArray(
-        np.ascontiguousarray(hexes, np.int64).ravel(), deep=True))
-    made.SetCells(VTK_HEXAHEDRON, cells)
-    array = numpy_to_vtk(np.ascontiguousarray(values, np.float64), deep=True)
-    array.SetName(name)
-    (made.GetPointData() if on_points else made.GetCellData()).SetScalars(array)
+def points_of(array):
+    made = vtkPoints()
+    made.SetData(numpy_to_vtk(np.ascontiguousarray(array, np.float64), deep=True))
     return made
+
+
+def cells_of(starts, ids):
+    """vtkCellArray of cells of unequal length."""
+    made = vtkCellArray()
+    made.SetData(*(numpy_to_vtkIdTypeArray(np.ascontiguousarray(a, np.int64), deep=True) for a in (starts, ids)))
+    return made
+
+
+class Patches:
+    """Quads (q,4|8), curved where they have 8 nodes, each drawn in rows of flat pieces.
+
+    weights (r r, 4|8): the shape functions of the nodes at r x r places of a quad, row by row
+    """
+
+    def __init__(self, quads, weights):
+        self._quads, self._weights = quads, weights
+        side = round(len(weights) ** 0.5)
+        place = np.arange(side * side).reshape(side, side)
+        self._first = len(weights) * np.arange(len(quads))[:, None]
+        self._pieces = np.stack([place[:-1, :-1], place[:-1, 1:], place[1:, 1:], place[1:, :-1]], -1).reshape(-1, 4)
+        self._rim = np.concatenate([place[0, :-1], place[:-1, -1], place[-1, :0:-1], place[::-1, 0]])
+
+    def spread(self, values):
+        """(q r r, ...) what the nodes' values (P, ...) are at the places."""
+        return np.einsum("pn,qn...->qp...", self._weights, values[self._quads]).reshape(-1, *values.shape[1:])
+
+    def surface(self, points, values=None, on_points=False):
+        """vtkPolyData of the pieces; values of the points (P,), or of the quads (q,), as its scalars."""
+        made = vtkPolyData()
+        made.SetPoints(points_of(self.spread(points)))
+        corners = (self._first[:, :, None] + self._pieces).reshape(-1)
+        made.SetPolys(cells_of(np.arange(0, len(corners) + 1, 4), corners))
+        if values is not None:
+            array = numpy_to_vtk(self.spread(values) if on_points else np.repeat(values, len(self._pieces)), deep=True)
+            (made.GetPointData() if on_points else made.GetCellData()).SetScalars(array)
+        return made
+
+    def edges(self, points):
+        """vtkPolyData of the quads' rims."""
+        made = vtkPolyData()
+        made.SetPoints(points_of(self.spread(points)))
+        along = (self._first + self._rim).reshape(-1)
+        made.SetLines(cells_of(np.arange(0, len(along) + 1, len(self._rim)), along))
+        return made
+
+    def __len__(self):
+        return len(self._quads)
 
 
 def table(colours, low, high, below_zero=None):
@@ -67,43 +104,53 @@ def table(colours, low, high, below_zero=None):
     return made
 
 
-def surface_actor(data, lookup, edges=True):
-    """The outside of the cells, coloured, with the cells' edges."""
-    outside = vtkGeometryFilter()
-    outside.SetInputData(data)
+def surface_actor(data, lookup):
+    """The outside of hexes, coloured."""
     mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(outside.GetOutputPort())
+    mapper.SetInputData(data)
     mapper.SetLookupTable(lookup)
     mapper.UseLookupTableScalarRangeOn()
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()    # edges lie before their faces
+    mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(2.0, 20.0)
     actor = vtkActor()
     actor.SetMapper(mapper)
     look = actor.GetProperty()
     look.SetInterpolationToFlat()
     look.SetAmbient(0.55)
     look.SetDiffuse(0.50)
-    if edges:
-        look.EdgeVisibilityOn()
-        look.SetEdgeColor(EDGE)
-        look.SetLineWidth(1.0 if data.GetNumberOfCells() < 20000 else 0.5)
     return actor
 
 
-def outline_actor(data):
+def edges_actor(patches, points):
+    """The edges of the hexes' faces."""
+    actor = _lines_actor(EDGE, 1.0 if len(patches) < 20000 else 0.5)
+    actor.GetMapper().SetInputData(patches.edges(points))
+    actor.GetMapper().SetRelativeCoincidentTopologyLineOffsetParameters(-1.0, -5.0)     # and before the outline
+    return actor
+
+
+def outline_actor(patches, points):
     """The undisplaced solid's sharp edges, grey."""
-    outside = vtkGeometryFilter()
-    outside.SetInputData(data)
-    sharp = vtkFeatureEdges()
-    sharp.SetInputConnection(outside.GetOutputPort())
+    joined, sharp = vtkCleanPolyData(), vtkFeatureEdges()
+    joined.SetInputData(patches.surface(points))
+    joined.SetTolerance(1e-7)
+    sharp.SetInputConnection(joined.GetOutputPort())
     sharp.SetFeatureAngle(35)
     sharp.ColoringOff()
     sharp.NonManifoldEdgesOff()
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(sharp.GetOutputPort())
+    actor = _lines_actor((0.55, 0.57, 0.60), 1.5)
+    actor.GetMapper().SetInputConnection(sharp.GetOutputPort())
+    return actor
+
+
+def _lines_actor(colour, width):
+    mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.ScalarVisibilityOff()
-    actor = vtkActor()
     actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(0.55, 0.57, 0.60)
-    actor.GetProperty().SetLineWidth(1.5)
+    look = actor.GetProperty()
+    look.LightingOff()
+    look.SetColor(colour)
+    look.SetLineWidth(width)
     return actor
 
 
@@ -183,33 +230,32 @@ def fit_camera(made, points, aspect, view, free):
 
 def mesh_half(job):
     """(actors, points that must be seen) of the mesh with its cut."""
-    keep, points, hexes = job["keep"], job["points"], job["hexes"]
-    quality = job["quality"]
+    points, quality = job["points"], job["quality"]
+    shown, whole = (Patches(job[name], job["weights"]) for name in ("shown", "outside"))
     # round ends, so that the labels are round: 0 to 1, or from -0.2, -0.4, ... to 1
     steps = 5 + int(np.ceil(max(0.0, -float(quality.min())) / 0.2 - 1e-9))
     low = 1.0 - 0.2 * steps
     lookup = table(QUALITY, low + 1e-9, 1.0 + 1e-9, INVERTED)  # 1e-9: no label "-0.00"
-    shown = grid(points, hexes[keep], "q", quality[keep], False)
-    whole = grid(points, hexes, "q", quality, False)
-    actors = [surface_actor(shown, lookup), outline_actor(whole),
+    actors = [surface_actor(shown.surface(points, quality[job["shown_hexes"]]), lookup), edges_actor(shown, points),
+              outline_actor(whole, points),
               scalar_bar(lookup, "%-#.2f", steps + 1),
               text_actor("scaled Jacobian", 0.5, 0.133, 20, centred=True),
-              text_actor(f"{len(hexes):,} hexahedra", 0.03, 0.885, 26, bold=True),
+              text_actor(f"{len(quality):,} hexahedra", 0.03, 0.885, 26, bold=True),
               text_actor(f"scaled Jacobian {quality.min():.3g} to {quality.max():.3g}, "
                          f"mean {quality.mean():.3g}"
-                         + ("" if keep.all() else "; cut open"), 0.03, 0.845, 19)]
+                         + ("; cut open" if job["cut"] else ""), 0.03, 0.845, 19)]
     return actors, points
 
 
 def displaced_half(job):
     """(actors, points that must be seen) of the displaced shape."""
-    points, hexes, shift = job["points"], job["hexes"], job["displacements"]
+    points, shift = job["points"], job["displacements"]
     warp = float(job["warp"])
     size = np.linalg.norm(shift, axis=1)
     moved = points + warp * shift
-    lookup = table(VIRIDIS, 0.0, float(size.max()) or 1.0)
-    actors = [surface_actor(grid(moved, hexes, "u", size, True), lookup),
-              outline_actor(grid(points, hexes, "u", size, True)),
+    lookup, patches = table(VIRIDIS, 0.0, float(size.max()) or 1.0), Patches(job["outside"], job["weights"])
+    actors = [surface_actor(patches.surface(moved, size, on_points=True), lookup), edges_actor(patches, moved),
+              outline_actor(patches, points),
               scalar_bar(lookup, "%-.3g", 6),
               text_actor("displacement in mm", 0.5, 0.133, 20, centred=True),
               text_actor("Displaced shape", 0.03, 0.885, 26, bold=True),

@@ -2,6 +2,8 @@
 """How well quads fit the solid that they were made on."""
 from dataclasses import asdict, dataclass
 
+_CHORDS = "chords cut round faces; a smaller size, or more quads round a turn, cut less"
+
 
 @dataclass(frozen=True)
 class Fit:
@@ -36,13 +38,27 @@ class Fit:
         """What the user should know; most: part of the volume that chords may cut."""
         found = []
         if abs(self.volume) > most:
-            found.append(f"the volume is {100 * self.volume:+.1f} % off, more than {100 * most:g} %: chords cut round "
-                         "faces; a smaller size, or more quads round a turn, cut less")
+            found.append(f"{_off(self.volume, most)}: {_CHORDS}")
         for kind, lost, of_own in (("Face", self.lost_faces, "quads"), ("Edge", self.lost_edges, "mesh edges")):
             if lost:
                 named = ", ".join(f"{kind}{k}" for k in lost[:10]) + (" ..." if len(lost) > 10 else "")
                 found.append(f"smaller than the mesh, without {of_own} of their own: {named}")
         return found
+
+
+def _off(volume, most):
+    return f"the volume is {100 * volume:+.1f} % off, more than {100 * most:g} %"
+
+
+def notes_of_curved(notes, volume, most):
+    """Notes about quads as they hold of hexes of order 2 that are curved as the solid is: no chords are left.
+
+    volume  of the curved hexes, less the solid's, as part of it;  most: as Fit.notes
+    """
+    kept = [note for note in notes if _CHORDS not in note]
+    if abs(volume) > most:
+        kept.append(f"{_off(volume, most)}, although edges are curved; a smaller size fits better")
+    return kept
 
 
 def fit_of(found, face_numbers=None):

@@ -3,19 +3,10 @@
 import gmsh
 import numpy as np
 
+from .quad_shape import quad_shape
+
 _GAUSS = np.polynomial.legendre.leggauss(5)     # exact for the volume: degree 8 in each direction
 _PROBES = np.linspace(-1.0, 1.0, 5)
-
-
-def _shape(u, v):
-    """Values (8,) and derivatives (8,2) of the 8-node quad's shape functions; corners, then middles."""
-    a, b = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]).T
-    value = (1 + a * u) * (1 + b * v) * (a * u + b * v - 1) / 4
-    du, dv = a * (1 + b * v) * (2 * a * u + b * v) / 4, b * (1 + a * u) * (a * u + 2 * b * v) / 4
-    middle = np.array([(1 - u * u) * (1 - v), (1 + u) * (1 - v * v), (1 - u * u) * (1 + v), (1 - u) * (1 - v * v)]) / 2
-    mu = np.array([-2 * u * (1 - v), 1 - v * v, -2 * u * (1 + v), -(1 - v * v)]) / 2
-    mv = np.array([-(1 - u * u), -2 * v * (1 + u), 1 - u * u, -2 * v * (1 - u)]) / 2
-    return np.concatenate([value, middle]), np.stack([np.concatenate([du, mu]), np.concatenate([dv, mv])], axis=1)
 
 
 def curved_fit(carriers, points, hexes, edges, quads, faces):
@@ -26,7 +17,7 @@ def curved_fit(carriers, points, hexes, edges, quads, faces):
     volume = area = 0.0
     for u, wu in zip(*_GAUSS):
         for v, wv in zip(*_GAUSS):
-            value, slope = _shape(u, v)
+            value, slope = quad_shape(8, u, v)
             normal = np.cross(*(np.einsum("n,qnx->qx", slope[:, k], nodes) for k in (0, 1)))
             volume += wu * wv * ((np.einsum("n,qnx->qx", value, nodes) - low) * normal).sum() / 3
             area += wu * wv * np.linalg.norm(normal, axis=1).sum()
@@ -37,7 +28,7 @@ def curved_fit(carriers, points, hexes, edges, quads, faces):
 
 
 def _chord(carriers, nodes, edges, faces):
-    probes = np.array([_shape(u, v)[0] for u in _PROBES for v in _PROBES])
+    probes = np.array([quad_shape(8, u, v)[0] for u in _PROBES for v in _PROBES])
     places = np.einsum("pn,qnx->qpx", probes, nodes)
     off = np.full(places.shape[:2], np.inf)
     beside = np.column_stack([faces, edges.faces[edges.of_quad].reshape(len(faces), -1)])
