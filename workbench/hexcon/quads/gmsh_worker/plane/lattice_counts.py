@@ -6,48 +6,13 @@ has as many intervals as the lines of the runs before and after it are apart, so
 order that the runs have in the plane, which keeps holes where they are and the polygon from touching itself.
 """
 import numpy as np
-from scipy.optimize import Bounds, LinearConstraint, milp
-from scipy.sparse import coo_matrix
+
+from ..program import Program
 
 MOST_RUNS = 160
 NEAR = 0.02         # of the region's width: lines as near as that may come in any order
 EDGE_COST, GAP_COST = 1.0, 0.7      # of one interval more or fewer than wanted, along runs and between them
 NODES = 200         # of the search
-
-
-class _Program:
-    """Rows of an integer program: n lines, and slacks."""
-
-    def __init__(self, lines):
-        self.lines, self.cost, self.rows, self.low, self.high = lines, [], [], [], []
-
-    def row(self, terms, low, high):
-        self.rows.append(terms)
-        self.low.append(low)
-        self.high.append(high)
-
-    def near(self, terms, wanted, cost):
-        """The sum of terms is wanted to be near a number: its distance costs."""
-        slack = self.lines + len(self.cost)
-        self.cost.append(cost / np.sqrt(max(wanted, 1.0)))
-        self.row({**terms, slack: -1.0}, -np.inf, wanted)
-        self.row({**terms, slack: 1.0}, wanted, np.inf)
-
-    def solved(self):
-        """(lines,) int, None where there is no solution."""
-        size = self.lines + len(self.cost)
-        entries = [(i, j, v) for i, terms in enumerate(self.rows) for j, v in terms.items()]
-        row, column, value = (np.array(x) for x in zip(*entries))
-        matrix = coo_matrix((value, (row, column)), shape=(len(self.rows), size)).tocsr()
-        whole = np.arange(size) < self.lines
-        bounds = Bounds(np.where(whole, -np.inf, 0.0), np.full(size, np.inf))
-        rule = LinearConstraint(matrix, np.array(self.low), np.array(self.high))
-        for presolve in (True, False):      # HiGHS 1.2 takes some feasible programs for infeasible in its presolve
-            found = milp(np.r_[np.zeros(self.lines), self.cost], integrality=whole.astype(int), bounds=bounds,
-                         constraints=rule, options={"node_limit": NODES, "presolve": presolve})
-            if found.x is not None:
-                return np.rint(found.x[:self.lines]).astype(int)
-        return None
 
 
 def lattice_lines(runs, worth, least, fixed=()):
@@ -61,7 +26,9 @@ def lattice_lines(runs, worth, least, fixed=()):
     flat = [run for loop in runs for run in loop]
     if len(flat) > MOST_RUNS:
         return None
-    program, counts = _Program(len(flat)), _count_terms(runs)
+    program, counts = Program(), _count_terms(runs)
+    for _ in flat:
+        program.column(-np.inf, np.inf)
     size = sum(run.length.sum() for run in flat) / max(sum(w.sum() for w in worth), 1e-300)
     for i, terms in enumerate(counts):
         program.row(terms, float(least[i]), np.inf)
@@ -74,7 +41,7 @@ def lattice_lines(runs, worth, least, fixed=()):
     for axis in (0, 1):
         _order(program, [(i, run) for i, run in enumerate(flat) if run.heading % 2 == axis], size)
         program.row({next(i for i, run in enumerate(flat) if run.heading % 2 == axis): 1.0}, 0, 0)
-    return program.solved()
+    return program.solved(len(flat), node_limit=NODES)
 
 
 def run_counts(loop, lines):
