@@ -3,6 +3,7 @@
 import numpy as np
 
 from .outline import Outline, even, least_count
+from .plane_mesh import polygon_area
 from .recognise import Column, Sweep
 
 
@@ -64,7 +65,7 @@ def orient(solid, sweep):
     loops = [sweep.loops[outer]]
     for k, columns in enumerate(sweep.loops):
         if k != outer:
-            clockwise = _area(plane.flat(rough[k])) < 0
+            clockwise = polygon_area(plane.flat(rough[k])) < 0
             loops.append(columns if clockwise else _reversed(columns))
     top_plane = CapPlane.round(_rough(solid, loops[0], -1))
     return Sweep(sweep.bottom, sweep.top, loops, sweep.levels), plane, top_plane
@@ -74,11 +75,6 @@ def _rough(solid, columns, level):
     """(m,3) points round a loop, enough to tell its plane."""
     edges = front_edges(columns, level)[0]
     return chain_points(solid, edges, *even([[1 if solid.is_line(abs(e)) else 24 for e in edges]]))
-
-
-def _area(p):
-    q = np.roll(p, -1, axis=0)
-    return float((p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]).sum() / 2)
 
 
 def _reversed(columns):

@@ -7,6 +7,7 @@ import numpy as np
 CORNER = np.radians(25.0)          # a vertex that turns more is a corner
 TURN_CLOSED = np.radians(30.0)     # largest turning per interval on a full circle: 12 a circle
 TURN_OPEN = np.radians(45.0)       # the same on an open arc
+LARGEST = 1.8       # times the wanted size: longer is no interval of a lattice for the sake of others
 
 
 @dataclass
@@ -36,9 +37,14 @@ class Outline:
         return np.flatnonzero(np.abs(self.turn[loop]) > CORNER)
 
     def limit(self):
-        """The scaled Jacobian no all-quad mesh can exceed: the sine of the sharpest corner."""
-        sharp = [np.pi - t for turn in self.turn for t in turn if t > np.pi / 2]
-        return float(np.sin(min(sharp))) if sharp else 1.0
+        """The scaled Jacobian no all-quad mesh can exceed."""
+        return sharpest_sine(self.turn)
+
+
+def sharpest_sine(turns):
+    """Sine of the sharpest corner, 1 where none is sharper than a right angle. turns: radians per loop and corner."""
+    sharp = [np.pi - t for turn in turns for t in turn if t > np.pi / 2]
+    return float(np.sin(min(sharp))) if sharp else 1.0
 
 
 def even(counts):

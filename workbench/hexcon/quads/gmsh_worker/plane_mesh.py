@@ -5,20 +5,29 @@ from scipy.sparse import coo_matrix, diags
 from scipy.sparse.linalg import splu
 
 
+def polygon_area(p):
+    """Of a closed polygon (n,2), counter-clockwise; its first point may come again at the end."""
+    q = np.roll(p, -1, axis=0)
+    return float((p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]).sum() / 2)
+
+
+def laplacian(quads, count):
+    """(count,count) sparse graph Laplacian of the edges of quads."""
+    a, b = quads.ravel(), np.roll(quads, -1, axis=1).ravel()
+    adjacent = coo_matrix((np.ones(2 * len(a)), (np.r_[a, b], np.r_[b, a])), shape=(count, count)).tocsr()
+    adjacent.data[:] = 1.0      # an inner edge came twice
+    return diags(np.asarray(adjacent.sum(axis=1)).ravel()) - adjacent
+
+
 def harmonic(values, quads, fixed):
     """(m,k) values with the free rows set to the mean of their edge neighbours. fixed (m,) bool.
 
     One sparse factorisation of the graph Laplacian: about m log m in the plane.
     """
-    a, b = quads.ravel(), np.roll(quads, -1, axis=1).ravel()
-    count = len(values)
-    adjacent = coo_matrix((np.ones(2 * len(a)), (np.r_[a, b], np.r_[b, a])), shape=(count, count)).tocsr()
-    adjacent.data[:] = 1.0      # an inner edge came twice
-    laplace = diags(np.asarray(adjacent.sum(axis=1)).ravel()) - adjacent
     x = np.array(values, float)
     free = np.flatnonzero(~fixed)
     if len(free):
-        rows = laplace.tocsr()[free]
+        rows = laplacian(quads, len(values)).tocsr()[free]
         x[free] = splu(rows[:, free].tocsc()).solve(-(rows[:, np.flatnonzero(fixed)] @ x[fixed]))
     return x
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from scipy.spatial import cKDTree
 
+from ..plane_mesh import polygon_area
 from .fault import NotLayered
 from .flat_edges import FlatEdge, crossings
 
@@ -184,7 +185,7 @@ def _along(piece, source, other, tolerance):
 def _regions(vertices, pieces):
     """The regions; sets left and right of the pieces."""
     loops = _traced(vertices, pieces)
-    areas = [_area(_polygon(pieces, loop)) for loop in loops]
+    areas = [polygon_area(_polygon(pieces, loop)) for loop in loops]
     outer = [k for k, a in enumerate(areas) if a > 0]
     regions = [[loops[k]] for k in outer]
     polygons = [_polygon(pieces, loops[k]) for k in outer]
@@ -196,7 +197,7 @@ def _regions(vertices, pieces):
     made = []
     for r, (loops_of, k) in enumerate(zip(regions, outer)):
         around = sum(_length(pieces[c].line) for loop in loops_of for c, _ in loop)
-        area = areas[k] + sum(_area(_polygon(pieces, lp)) for lp in loops_of[1:])
+        area = areas[k] + sum(polygon_area(_polygon(pieces, lp)) for lp in loops_of[1:])
         made.append(Region(loops_of, area, 2 * area / max(around, 1e-300)))
         for loop in loops_of:
             for c, forward in loop:
@@ -248,11 +249,6 @@ def _polygon(pieces, loop):
 
 def _length(line):
     return float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
-
-
-def _area(p):
-    q = np.roll(p, -1, axis=0)
-    return float((p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]).sum() / 2)
 
 
 def _around(pieces, hole, loops, outer, polygons, areas):

@@ -9,14 +9,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..outline import CORNER, even, with_total
+from ..outline import CORNER, LARGEST, even, with_total
 from ..submap import STEPS, harmonic_mesh, inside_of, numbered
 from .charts import charts_of
 from .headings import runs_of
 from .lattice_counts import across, lattice_lines, run_counts
 
 LONGEST = 2.2   # times as long as wide are elements to be, where holes make them narrow
-LARGEST = 1.8   # times the wanted size: what opposite sides of different lengths agree on must not be longer
 FINE = 16       # points of an edge by which an outline without divisions is looked at
 
 

@@ -5,7 +5,8 @@ from functools import cached_property
 
 import numpy as np
 
-from ..outline import CORNER, Outline
+from ..outline import CORNER, Outline, sharpest_sine
+from ..plane_mesh import polygon_area
 
 
 @dataclass(frozen=True)
@@ -47,14 +48,12 @@ class PlaneRegion:
     @cached_property
     def area(self):
         """Of the polygon, less its holes."""
-        p, q = self.boundary, self.boundary[self.after]
-        return float((p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]).sum() / 2)
+        return sum(polygon_area(loop) for loop in self.loops)
 
     @cached_property
     def limit(self):
-        """The scaled Jacobian that no quad mesh can exceed: sine of the sharpest corner."""
-        sharp = [np.pi - t for turn in self.turns for t in turn if t > np.pi / 2]
-        return float(np.sin(min(sharp))) if sharp else 1.0
+        """The scaled Jacobian that no quad mesh can exceed."""
+        return sharpest_sine(self.turns)
 
     def outline(self, size):
         """The Outline of which each edge is one interval of this boundary. size: wanted edge length inside."""

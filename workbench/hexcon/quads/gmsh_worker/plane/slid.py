@@ -3,16 +3,17 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_matrix, diags, identity, kron
+from scipy.sparse import coo_matrix, identity, kron
 from scipy.sparse.linalg import splu
 
+from ..outline import LARGEST
+from ..plane_mesh import laplacian
 from ..smooth import optimise
 
 STRAIGHT = 1e-3             # of an edge's length: how far its points are off the line
 TURN = np.radians(25.0)     # on a bent edge: more for an even interval and it stays even,
 MOST_TURN, MOST_TIMES = np.radians(12.0), 1.6   # and no interval comes to turn more than this, or so many even ones
 ROUNDS = 3                  # along tangents, where edges are bent
-LARGEST = 1.8               # times the outline's size: no interval of a straight edge becomes longer, or than even ones
 BLENDS = 6
 EFFORT = 500_000    # of optimise, for each round
 
@@ -54,7 +55,7 @@ def slid(outline, shares, points, quads, even):
     for _ in range(ROUNDS if any(not e.straight for e in edges) else 1):
         slides = np.concatenate([e.rows for e in edges]), np.concatenate([e.ways for e in edges])
         moved = optimise(moved, quads, fixed, EFFORT, slides, even)
-        new = _shares_of(edges, now, moved, LARGEST * outline.size)
+        new = _shares_of(edges, now, moved, LARGEST * outline.size)     # or than even ones
         if new is None:         # folded: then the even ones stay
             return shares, points, quads
         now, moved[:total] = new, np.concatenate(outline.place(new))
@@ -120,10 +121,7 @@ def _springs(points, quads, fixed, edges):
     rows = np.concatenate([e.rows for e in edges]) if edges else np.empty(0, int)
     ways = np.concatenate([e.ways for e in edges]) if edges else np.empty((0, 2))
     m = len(points)
-    a, b = quads.ravel(), np.roll(quads, -1, axis=1).ravel()
-    adjacent = coo_matrix((np.ones(2 * len(a)), (np.r_[a, b], np.r_[b, a])), shape=(m, m)).tocsr()
-    adjacent.data[:] = 1.0
-    laplace = kron(diags(np.asarray(adjacent.sum(axis=1)).ravel()) - adjacent, identity(2)).tocsr()
+    laplace = kron(laplacian(quads, m), identity(2)).tocsr()
     free = np.flatnonzero(~fixed)
     column = np.arange(2 * len(free))
     at = np.r_[(2 * free[:, None] + [0, 1]).ravel(), 2 * rows, 2 * rows + 1]

@@ -12,7 +12,7 @@ from ..fault import WorkerFault
 from ..plane.region import PlaneRegion
 from ..smooth import optimise
 from ..templates import ogrid_mesh
-from .half_section import HalfSection, ProfileCurve
+from .half_section import HalfSection, ProfileCurve, straight
 
 SHARE = 0.55        # of the curve at a tip, from the tip on, is the core's; less where that is too near to other curves
 SHARE_OF_ONE = 0.3  # where both tips end one curve
@@ -51,13 +51,9 @@ def with_cores(section):
             ends.append(curve.part(0.0, share, (tip, len(vertices) - 1)))
             curves[number] = curve.part(share, 1.0, (len(vertices) - 1, curve.ends[1]))
         a, b = (end.ends[1] for end in ends)
-        curves.append(ProfileCurve(-1, (a, b), _between(vertices[a], vertices[b])))
+        curves.append(ProfileCurve(-1, (a, b), straight(vertices[a], vertices[b])))
         cores.append(Core(len(curves) - 1, *ends))
     return HalfSection(np.array(vertices), curves, []), cores
-
-
-def _between(a, b):
-    return lambda t: a + np.asarray(t, float)[:, None] * (b - a)
 
 
 def _shares(section, low, high):

@@ -51,7 +51,6 @@ class ProfileCurve:
         return ProfileCurve(self.band, self.ends[::-1], lambda t: self.exact(1.0 - np.asarray(t, float)))
 
 
-
 @dataclass
 class HalfSection:
     """vertices (k,2) radius and height; curves: list of ProfileCurve; tips: vertices on the axis, by height, two for
@@ -106,7 +105,8 @@ def _turned_moments(line):
     return np.array([area.sum(), (area * middle[:, 1]).sum()])
 
 
-def _straight(a, b):
+def straight(a, b):
+    """Callable t -> (m,2) on a line."""
     a, b = np.asarray(a, float), np.asarray(b, float)
     return lambda t: a + np.asarray(t, float)[:, None] * (b - a)
 
@@ -128,15 +128,15 @@ def _from_axis(line):
 def _flat_lines(solid, axis, band, carrier):
     """Of a cylinder or a plane: between two rims; of a plane also from its rim to the axis."""
     if len(band.rims) == 2:
-        return [_straight(*band.rims)]
+        return [straight(*band.rims)]
     if len(band.rims) == 1 and band.kind == "Plane":
-        return [_straight((0.0, band.rims[0][1]), band.rims[0])]
+        return [straight((0.0, band.rims[0][1]), band.rims[0])]
     return []
 
 
 def _cone_lines(solid, axis, band, carrier):
     apex = axis.flat(carrier.origin[None])[0][0]
-    return [_straight(*band.rims)] if len(band.rims) == 2 else [_straight((0.0, apex[1]), band.rims[0])] \
+    return [straight(*band.rims)] if len(band.rims) == 2 else [straight((0.0, apex[1]), band.rims[0])] \
         if len(band.rims) == 1 else []
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 
 from ..fault import WorkerFault
+from ..plane_mesh import polygon_area
 
 
 class Loops:
@@ -56,9 +57,7 @@ def _traced(section):
 
 
 def _area(loop):
-    p = np.concatenate([c.fine[:-1] for _, c in loop])
-    q = np.roll(p, -1, axis=0)
-    return float((p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]).sum() / 2)
+    return polygon_area(np.concatenate([c.fine[:-1] for _, c in loop]))
 
 
 def _oriented(loop):
