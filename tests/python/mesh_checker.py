@@ -229,3 +229,9 @@ def faults(points, hexes, quads, surface_points):
     if len(bad):
         found.append(f"{len(bad)} hexes are not positive, such as {bad[0]}")
     return found
+
+
+def enclosed(surface):
+    """The volume inside a surface of quads, as bilinear patches, outward."""
+    p = surface.points[surface.quads]
+    return (np.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 1]) / 2 * p.mean(axis=1)).sum() / 3

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from cell_surfaces import cad_file
-from mesh_checker import faults
+from mesh_checker import enclosed, faults
 
 import hexcon
 from hexcon.errors import FaultCode, ToolError
@@ -42,11 +42,6 @@ SOLIDS = {
             4, "z", 0.4, 0.8, None)}
 
 
-def volume(surface):
-    p = surface.points[surface.quads]
-    return (np.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 1]) / 2 * p.mean(axis=1)).sum() / 3
-
-
 @pytest.mark.parametrize("name", SOLIDS)
 def test_solids(tmp_path, name):
     build, faces, direction, worst, mean, exact = SOLIDS[name]
@@ -56,7 +51,7 @@ def test_solids(tmp_path, name):
     assert not faults(mesh.points, mesh.hexes, surface.quads, surface.points)
     assert set(surface.face_of_quad) == set(range(1, faces + 1))
     assert mesh.quality.min > worst and mesh.quality.mean > mean
-    assert exact is None or abs(volume(surface) / exact - 1.0) < 0.01
+    assert exact is None or abs(enclosed(surface) / exact - 1.0) < 0.01
     assert any(note.startswith(f"boxed along {direction or ''}") and " 1 box" in note for note in surface.notes)
 
 

@@ -7,6 +7,7 @@ import numpy as np
 
 import hexcon_native as hn
 
+from ..cad_fit import volume_and_area
 from ..fault import WorkerFault
 from ..smooth import evenness
 from .fault import NotLayered
@@ -130,14 +131,9 @@ def judged(shape, mesh, direction, factor):
     """The Layered of an extrude.LayeredMesh, whose inner points it improves."""
     mesh.points = hn.optimize(mesh.points, mesh.hexes, rounds=ROUNDS, target=GOOD, threads=1)
     proof = hn.certify(mesh.points, mesh.hexes, mesh.quads)
-    return Layered(mesh, hn.quality(mesh.points, mesh.hexes), bool(proof.certified), _volume(mesh) / shape.volume - 1.0,
+    volume = volume_and_area(mesh.points[mesh.quads])[0]
+    return Layered(mesh, hn.quality(mesh.points, mesh.hexes), bool(proof.certified), volume / shape.volume - 1.0,
                    direction, factor)
-
-
-def _volume(mesh):
-    p = mesh.points[mesh.quads]
-    p = p - p.mean((0, 1))
-    return float((np.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 1]) / 2 * p.mean(1)).sum() / 3)
 
 
 def _shortcomings(found):

@@ -3,6 +3,7 @@
 import gmsh
 import numpy as np
 
+from ..cad_fit import volume_and_area
 from ..cap import mesh_cap
 from ..outline import Outline, least_count
 from ..smooth import evenness
@@ -37,14 +38,12 @@ def revolved_surface(solid, size, link):
     step = 8 if any(core.pointed for core in cores) else 4
     around = _number_round(solid, axis, size, off, step)
     link.progress("turn", 0.5)
-    body = _turned(axis, loops, cores, cap, around)
-    off = _volume_of(body) / volume - 1.0
-    for _ in range(REFINEMENTS):    # of the discs, too, which the section does not know
-        if abs(off) <= MOST_VOLUME:
+    for left in reversed(range(REFINEMENTS + 1)):   # of the discs, too, which the section does not know
+        body = _turned(axis, loops, cores, cap, around)
+        off = volume_and_area(body.points[body.quads])[0] / volume - 1.0
+        if abs(off) <= MOST_VOLUME or not left:
             break
         around = step * (int(around * np.sqrt(abs(off) / MOST_VOLUME) / step) + 1)
-        body = _turned(axis, loops, cores, cap, around)
-        off = _volume_of(body) / volume - 1.0
     faces = _faces(solid, axis, bands, body)
     return {"points": body.points, "quads": body.quads, "faces": faces, "hexes": body.hexes,
             "joined": {f: band.faces for band in bands for f in band.faces if len(band.faces) > 1},
@@ -127,15 +126,6 @@ def _turned(axis, loops, cores, cap, around):
         first += total
     piles = [(core, line_ids[core.line], core.low.band, core.high.band) for core in cores]
     return Turned(axis, around, cap.points, cap.quads, tuple(map(np.concatenate, (starts, ends, bands))), piles)
-
-
-def _volume_of(body):
-    """Of the bilinear quads: the mean of their two ways to be two triangles."""
-    p = body.points[body.quads] - body.points.mean(axis=0)
-    total = 0.0
-    for a, b, c in ((0, 1, 2), (0, 2, 3), (0, 1, 3), (1, 2, 3)):
-        total += (p[:, a] * np.cross(p[:, b], p[:, c])).sum()
-    return float(total) / 12.0
 
 
 def _faces(solid, axis, bands, body):
