@@ -12,6 +12,7 @@ from bodies import quarter_pipe, written
 import hexcon
 import hexcon_native
 from hexcon.calculix import solve_inp
+from hexcon.curving.curving_worker.quad_shape import quad_shape
 from hexcon.femmesh.elements import elements_of
 from hexcon.femmesh.second_order import lower_order
 
@@ -31,9 +32,12 @@ HOOP = PRESSURE * (OUTER ** 2 + INNER ** 2) / (OUTER ** 2 - INNER ** 2)      # a
 
 def quad_rule(nodes):
     """[(values, slopes (2,n), weight)] of quads of 4 or 8 nodes."""
-    from hexcon.calculix.loads import _shape
-    return [(*((v, s.T) for v, s in [_shape(nodes, u, w)]), wu * ww)
-            for u, wu in zip(*_G3) for w, ww in zip(*_G3)]
+    rule = []
+    for u, wu in zip(*_G3):
+        for v, wv in zip(*_G3):
+            values, slopes = quad_shape(nodes, u, v)
+            rule.append(((values, slopes.T), wu * wv))
+    return rule
 
 
 def triangle_rule():

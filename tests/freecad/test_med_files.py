@@ -12,7 +12,12 @@ from deck_texts import GRID, OUTER  # noqa: E402
 from hex_grids import block  # noqa: E402
 from quad_figures import volume_of  # noqa: E402
 
+from hexcon.errors import FaultCode, ToolError  # noqa: E402
 from hexcon.quads import surface_from_file  # noqa: E402
+
+
+def fail(_):
+    raise ToolError("no results, says the test", FaultCode.TOOL_FAILED)
 
 
 @pytest.mark.parametrize("name", ("Mesh_1.med", "another name.med"))
@@ -77,5 +82,35 @@ def test_a_mesh_without_a_solid_is_solved_by_its_groups(freecad, tmp_path):
         right = solve_inp(static_deck(box, fixed=["hold it"], force={"pull it": (0.0, 0.0, 100.0)}))
         assert result.max_displacement == pytest.approx(right.max_displacement) and result.max_displacement > 0
         assert len(result.document_object.DisplacementVectors) == 27
+        assert "*ELEMENT, TYPE=C3D8," in pathlib.Path(result.inp_path).read_text(encoding="utf-8")
+    finally:
+        freecad.closeDocument(doc.Name)
+
+
+def test_groups_are_solved_with_the_elements_chosen(freecad):
+    """ElementType counts for groups as for faces; a run that fails leaves the mesh in its analysis, and rows."""
+    from hexcon.calculix import by_names
+    from hexcon.femmesh.document import add_to_document
+    from hexcon.femmesh.element_types import CHOICES, PROPERTY
+    box = block(2, 2, 2, (10.0, 20.0, 30.0))
+    doc = freecad.newDocument("Chosen", hidden=True)
+    try:
+        made = add_to_document(doc, box, None)
+        made.addProperty("App::PropertyEnumeration", PROPERTY, "HexCon", "")
+        setattr(made, PROPERTY, list(CHOICES))
+        setattr(made, PROPERTY, "C3D8R")
+        assert by_names.names_of(made) == [f"Face{k}" for k in range(1, 7)]
+        loads = {"fixed": ["Face5"], "force": {"Face6": (0.0, 0.0, 100.0)}}
+        result = by_names.solve_by_names(doc, made, **loads)
+        assert "*ELEMENT, TYPE=C3D8R," in pathlib.Path(result.inp_path).read_text(encoding="utf-8")
+        analysis, objects = made.getParentGroup(), [o.Name for o in doc.Objects]
+        with pytest.MonkeyPatch.context() as patch, pytest.raises(ToolError) as fault:
+            patch.setattr(by_names, "result_object_of", fail)
+            by_names.solve_by_names(doc, made, **loads)
+        assert "no results" in str(fault.value)
+        assert made.getParentGroup() == analysis and [o.Name for o in doc.Objects] == objects
+        setattr(made, PROPERTY, "C3D20")
+        with pytest.raises(ToolError, match="order 1"):
+            by_names.solve_by_names(doc, made, **loads)
     finally:
         freecad.closeDocument(doc.Name)

@@ -5,23 +5,23 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from hexcon import disk, freecad_compat, keeper
-from hexcon.errors import FaultCode, HexconError, ToolError
+from hexcon import disk, freecad_compat
+from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.convert import from_femmesh, to_femmesh
 from hexcon.femmesh.document import insert
 from hexcon.femmesh.element_types import chosen_type, element_type
 from hexcon.femmesh.elements import elements_of
 from hexcon.femmesh.second_order import RAISED, is_raised
-from hexcon.labels import rows_of
 from hexcon.topological import is_topological, refuse_topological
 
 from . import constraints as make, frd
+from .document_run import in_order_of, kept_for_a_reason, result_object_of, run_deck, staying_in_its_group
 from .freecad_deck import correct_loads, name_element_type
 from .judging import check_loads
 from .loads import force_vector, pressure_value
 from .material import material_of
 from .result import Result
-from .runner import find_ccx, run_ccx
+from .runner import find_ccx
 
 
 def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pressure=None,
@@ -72,26 +72,13 @@ def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pres
     setup.force = dict(zip(faces[1], force.values()))
     setup.pressure = dict(zip(faces[2], pressure.values()))
     before = {o.Name for o in doc.Objects}
-    with _kept_for_a_reason(folder, workdir), freecad_compat.transaction(doc, "Solve hex mesh"), setup.restoring():
+    with kept_for_a_reason(folder, workdir), freecad_compat.transaction(doc, "Solve hex mesh"), setup.restoring():
         tools = setup.build(folder)
-        found, log = _run(setup, tools, program, timeout, threads, waiting)
+        found, log = run_deck(tools.inp_file_name, setup.mesh, setup.mesh.hex_ids, setup.mesh.node_ids, waiting,
+                              ccx=program, timeout=timeout, threads=threads)
         result_object = _load(setup, tools)
         added = [o for o in doc.Objects if o.Name not in before]
     return _result(setup, tools, result_object, added, found, log)
-
-
-@contextmanager
-def _kept_for_a_reason(folder, given):
-    """A folder of ours is kept with the deck in it, unless the disk could not hold that, or the process is ended."""
-    try:
-        with disk.naming(folder, f"work in {folder}"):
-            yield
-    except HexconError as fault:
-        if fault.code is FaultCode.FILE_IO and not given:
-            disk.remove_folder(folder)
-        keeper.let_folder_go(folder)
-        raise
-    keeper.let_folder_go(folder)
 
 
 def _without_zeros(force):
@@ -131,16 +118,14 @@ class _Setup:
     def restoring(self):
         """Put a given mesh object back as it was if anything fails inside."""
         given = self.mesh_object
-        group = given.getParentGroup() if given is not None else None
         groups = set(given.FemMesh.Groups) if given is not None else set()
-        try:
-            yield
-        except BaseException:
-            if given is not None:
-                _remove_groups(given, groups)
-                if group is not None and given not in group.Group:
-                    group.addObject(given)
-            raise
+        with staying_in_its_group(given):
+            try:
+                yield
+            except BaseException:
+                if given is not None:
+                    _remove_groups(given, groups)
+                raise
 
     def build(self, folder):
         """Make every object and write the deck; returns FreeCAD's ccx tools."""
@@ -201,40 +186,15 @@ def _remove_groups(mesh_object, kept):
         mesh_object.FemMesh = femmesh
 
 
-def _run(setup, tools, program, timeout, threads, waiting):
-    """ccx on FreeCAD's deck. FreeCAD's own ccx_run has no time limit, and makes an empty
-    result of a failed run."""
-    def job(progress):
-        return run_ccx(tools.inp_file_name, timeout=timeout, threads=threads, ccx=program,
-                       progress=progress, nodes=setup.mesh.node_ids[np.unique(setup.mesh.hexes)])
-    try:
-        return waiting(job, "CalculiX") if waiting else job(None)
-    except ToolError as error:
-        # ccx names FreeCAD's element numbers; users of arrays want rows
-        rows = np.flatnonzero(np.isin(setup.mesh.hex_ids, np.array(error.elements) + 1))
-        error.elements = rows.tolist()[:1000]
-        error.args = (f"{error}\n(the deck is kept: {tools.inp_file_name})",)
-        raise
-
-
 def _load(setup, tools):
     """Results into the document through FreeCAD; returns the result object."""
-    analysis = tools.analysis
     tools.load_results()
-    results = [o for o in analysis.Group if o.isDerivedFrom("Fem::FemResultObject")]
-    if not results or not results[-1].DisplacementVectors:
-        raise ToolError("FreeCAD read no displacements from CalculiX's results",
-                        FaultCode.TOOL_FAILED)
-    return results[-1]
+    return result_object_of(tools.analysis)
 
 
 def _result(setup, tools, result_object, added, found, log):
     """Arrays of ccx's results in the mesh's node order."""
-    n = len(setup.mesh.points)
-    rows = rows_of(setup.mesh.node_ids, found["node_ids"])
-    displacements, stress = np.zeros((n, 3)), np.zeros((n, 6))
-    displacements[rows] = found["displacements"]
-    stress[rows] = found["stress"]
+    displacements, stress = in_order_of(setup.mesh.node_ids, found)
     inp = tools.inp_file_name
     return Result(result_object, added, displacements, stress, frd.von_mises(stress), inp,
                   os.path.splitext(inp)[0] + ".frd", log,

@@ -5,33 +5,32 @@ FreeCAD's constraints name faces of a solid; a mesh that was read from a file ha
 HexCon's own, and FreeCAD reads the results.
 """
 import os
+import re
 
 import numpy as np
 
-from hexcon import disk, freecad_compat, keeper
-from hexcon.errors import FaultCode, ToolError
-from hexcon.femmesh.elements import elements_of
-from hexcon.files.femmesh_contents import contents_of_femmesh
-from hexcon.files.hex_contents import hexes_of, mesh_of
+from hexcon import disk, freecad_compat
+from hexcon.femmesh.element_types import chosen_type
+from hexcon.files.femmesh_contents import mesh_of_object
 from hexcon.topological import refuse_topological
 
 from . import frd
 from .deck import static_deck
+from .document_run import in_order_of, kept_for_a_reason, result_object_of, run_deck, staying_in_its_group
 from .material import material_of
 from .result import Result
-from .runner import find_ccx, run_ccx
-
-
-def mesh_with_names(mesh_object):
-    """The mesh of a document object, with its groups, as files.read_mesh has one. Raises ToolError FILE_FORMAT."""
-    found = contents_of_femmesh(mesh_object.FemMesh)
-    return mesh_of(found.points, hexes_of(mesh_object.Label, found), found)
+from .runner import find_ccx
 
 
 def names_of(mesh_object):
-    """Names that can be held and loaded: CAD faces, groups of faces, groups of nodes."""
-    mesh = mesh_with_names(mesh_object)
-    return [name for _, name, _ in elements_of(mesh).named()] + list(mesh.node_groups)
+    """Names that can be held and loaded: CAD faces by their numbers, groups of faces, of nodes. Reads no elements."""
+    femmesh, found = mesh_object.FemMesh, {"Face": [], "Node": []}
+    for group in femmesh.Groups:
+        kind = femmesh.getGroupElementType(group)
+        if kind in found and len(femmesh.getGroupElements(group)):
+            found[kind].append(femmesh.getGroupName(group))
+    cad = sorted((name for name in found["Face"] if re.fullmatch(r"Face\d+", name)), key=lambda name: int(name[4:]))
+    return cad + [name for name in found["Face"] if name not in cad] + found["Node"]
 
 
 def solve_by_names(doc, mesh_object, *, fixed, force=None, pressure=None, material=None, timeout=3600, threads=None,
@@ -39,27 +38,25 @@ def solve_by_names(doc, mesh_object, *, fixed, force=None, pressure=None, materi
     """As analysis.solve, fixed and the keys of the loads being names of groups; an analysis with material, mesh and
     results, without constraint objects. One undo step; on any failure the document is as it was.
 
-    Raises ToolError: TOOL_MISSING, TOOL_FAILED with ccx's words, TOOL_TIMEOUT, FILE_IO, BAD_OPTION, TOPOLOGICAL_MESH.
+    The elements are of the mesh object's ElementType. Raises ToolError: TOOL_MISSING, TOOL_FAILED with ccx's words,
+    TOOL_TIMEOUT, FILE_IO, BAD_OPTION, BAD_MESH, TOPOLOGICAL_MESH.
     """
     refuse_topological(mesh_object, allow_topological)
-    mesh, material = mesh_with_names(mesh_object), material_of(material)
-    text = static_deck(mesh, material, fixed, force, pressure, allow_topological=allow_topological)
+    mesh, material = mesh_of_object(mesh_object), material_of(material)
+    text = static_deck(mesh, material, fixed, force, pressure, element=chosen_type(mesh_object),
+                       allow_topological=allow_topological)
     program, folder = find_ccx(freecad_compat.ccx_preference()), disk.new_folder("hexcon-fem-")
     path = os.path.join(folder, "deck.inp")
-    with disk.naming(folder, f"work in {folder}"), open(path, "w", encoding="utf-8") as stream:
-        stream.write(text)
-    keeper.let_folder_go(folder)
-
-    def job(progress):
-        return run_ccx(path, timeout=timeout, threads=threads, ccx=program, progress=progress,
-                       nodes=np.unique(mesh.hexes) + 1)
-    found, log = waiting(job, "CalculiX") if waiting else job(None)
-    before = {o.Name for o in doc.Objects}
-    with freecad_compat.transaction(doc, "Solve hex mesh"):
+    numbers, before = np.arange(len(mesh.points)) + 1, {o.Name for o in doc.Objects}
+    with (kept_for_a_reason(folder), freecad_compat.transaction(doc, "Solve hex mesh"),
+          staying_in_its_group(mesh_object)):
+        with open(path, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        found, log = run_deck(path, mesh, np.arange(len(mesh.hexes)) + 1, numbers, waiting, ccx=program,
+                              timeout=timeout, threads=threads)
         shown = _results_in(doc, mesh_object, material, os.path.splitext(path)[0] + ".frd")
         added = [o for o in doc.Objects if o.Name not in before]
-    displacements, stress = np.zeros((len(mesh.points), 3)), np.zeros((len(mesh.points), 6))
-    displacements[found["node_ids"] - 1], stress[found["node_ids"] - 1] = found["displacements"], found["stress"]
+    displacements, stress = in_order_of(numbers, found)
     report = {"notes": ["held and loaded by groups of the mesh: the analysis has no constraint objects"],
               "force_sum": np.sum([np.zeros(3), *(force or {}).values()], axis=0).tolist()}
     return Result(shown, added, displacements, stress, frd.von_mises(stress), path, os.path.splitext(path)[0] + ".frd",
@@ -75,8 +72,6 @@ def _results_in(doc, mesh_object, material, path):
     for member in (card, mesh_object):
         analysis.addObject(member)
     freecad_compat.fem_module("feminout.importCcxFrdResults").importFrd(path, analysis)
-    results = [o for o in analysis.Group if o.isDerivedFrom("Fem::FemResultObject")]
-    if not results or not results[-1].DisplacementVectors:
-        raise ToolError("FreeCAD read no displacements from CalculiX's results", FaultCode.TOOL_FAILED)
+    shown = result_object_of(analysis)
     doc.recompute()
-    return results[-1]
+    return shown

@@ -2,10 +2,9 @@
 """A FEM mesh object of hexes made good, as another object beside it. For macros; hexcon.gui.actions has it too."""
 from hexcon import freecad_compat
 from hexcon.femmesh.document import add_to_document
-from hexcon.files.femmesh_contents import contents_of_femmesh
-from hexcon.files.hex_contents import mesh_of
+from hexcon.files.femmesh_contents import mesh_of_object
 from hexcon.judging.repair import repair_mesh
-from hexcon.judging.report import check_mesh, read_mesh_object
+from hexcon.judging.report import check_mesh
 
 
 def repair_hex_mesh(mesh_object, *, pillow="auto", merge_tolerance=None):
@@ -14,13 +13,11 @@ def repair_hex_mesh(mesh_object, *, pillow="auto", merge_tolerance=None):
     pillow, merge_tolerance: as judging.repair.repair_mesh. The report view tells what was done, and what the mesh was
     worth before and is afterwards. Raises HexconError: BAD_MESH for other elements, and those of repair_mesh.
     """
-    found = read_mesh_object(mesh_object)
+    found = mesh_of_object(mesh_object)
     before = check_mesh(found)
-    done = repair_mesh(mesh_of(found.points, found.hexes, contents_of_femmesh(mesh_object.FemMesh)), pillow=pillow,
-                       merge_tolerance=merge_tolerance)
+    done = repair_mesh(found, pillow=pillow, merge_tolerance=merge_tolerance)
     made = add_to_document(mesh_object.Document, done.mesh, freecad_compat.solid_of_mesh_object(mesh_object),
-                           "Repaired",
-                           found.order, allow_topological=True)
+                           "Repaired", found.order, allow_topological=True)
     after = check_mesh(done.mesh)
     tell = freecad_compat.freecad().Console.PrintMessage
     for line in (f"before: {_worth(before)}", *done.notes, f"after: {_worth(after)}"):

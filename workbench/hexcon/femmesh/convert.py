@@ -73,6 +73,14 @@ def _faces_of_groups(femmesh, node_ids):
     return rows_of(node_ids, quads), np.array(numbers)
 
 
+def refuse_other_elements(femmesh):
+    """Raise ToolError BAD_MESH unless all volumes of a FemMesh are hexahedra, and there are some."""
+    if not femmesh.HexaCount or femmesh.HexaCount != femmesh.VolumeCount:
+        raise ToolError(
+            f"{femmesh.VolumeCount} volumes of which {femmesh.HexaCount} hexahedra; a mesh "
+            "of hexahedra alone is needed", FaultCode.BAD_MESH)
+
+
 def from_femmesh(femmesh):
     """Mesh-like object of a FemMesh made of hexahedra of one order.
 
@@ -80,11 +88,8 @@ def from_femmesh(femmesh):
     are no Face<number> groups), order, and node_ids (P,), hex_ids (H,): FreeCAD's own
     numbers of the rows. Raises ToolError(BAD_MESH) for other elements.
     """
+    refuse_other_elements(femmesh)
     nodes = femmesh.Nodes
-    if not nodes or not femmesh.HexaCount or femmesh.HexaCount != femmesh.VolumeCount:
-        raise ToolError(
-            f"{femmesh.VolumeCount} volumes of which {femmesh.HexaCount} hexahedra; a mesh "
-            "of hexahedra alone is needed", FaultCode.BAD_MESH)
     node_ids = np.array(sorted(nodes))
     points = np.array([tuple(nodes[n]) for n in node_ids.tolist()])
     hex_ids = np.array(femmesh.Volumes)

@@ -3,10 +3,12 @@
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
-from hexcon.femmesh.convert import FREECAD_HEX
+from hexcon.femmesh.convert import FREECAD_HEX, refuse_other_elements
 from hexcon.labels import rows_of
+from hexcon.topological import is_topological
 
 from .contents import NODES, Contents, Group
+from .hex_contents import hexes_of, mesh_of
 
 _FACES = {3: "triangle", 6: "triangle6", 4: "quad", 8: "quad8", 9: "quad9"}
 _VOLUMES = {4: "tetra", 10: "tetra10", 5: "pyramid", 13: "pyramid13", 6: "wedge", 15: "wedge15", 8: "hexahedron",
@@ -32,6 +34,16 @@ def contents_of_femmesh(femmesh):
             listed[kind].append(row)
     cells = {kind: _vtk_order(kind, rows_of(ids, rows)) for kind, rows in listed.items()}
     return Contents(points, cells, list(_groups(femmesh, ids, places)))
+
+
+def mesh_of_object(mesh_object):
+    """The hexes of a document's FEM mesh object with their groups, as hex_contents.mesh_of, and the mark of topology
+    only. Raises ToolError BAD_MESH for other elements."""
+    refuse_other_elements(mesh_object.FemMesh)
+    found = contents_of_femmesh(mesh_object.FemMesh)
+    mesh = mesh_of(found.points, hexes_of(mesh_object.Label, found), found)
+    mesh.topological = is_topological(mesh_object)
+    return mesh
 
 
 def _vtk_order(kind, rows):
