@@ -156,3 +156,11 @@ def test_a_deck_advises_only_what_is_there(tmp_path, mesh):
 def test_names_that_a_deck_can_hold():
     assert abaqus.deck_names(["Face3", "in let", "IN_LET", "3rd", "\u00e4"]) == ["FACE3", "in_let", "IN_LET_2",
         "G3rd", "G_"]
+
+
+def test_node_sets_that_only_look_like_those_of_a_group(tmp_path, mesh):
+    """NAME_NODES repeats a group NAME where there is one, as HexCon writes it; without one it is a set of its own."""
+    sets = f"*ELSET, ELSET=hold\n{', '.join(str(row + 1) for row in LOW)}\n"
+    sets += "".join(f"*NSET, NSET={name}\n1, 2\n" for name in ("hold_NODES", "N_NODES", "e_nodes", "NALL"))
+    (tmp_path / "named.inp").write_text(SHELL + sets, encoding="ascii")
+    assert set(surface_from_file(tmp_path / "named.inp").node_groups) == {"N_NODES", "e_nodes"}

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
-from hexcon.femmesh.boundary import face_keys
+from hexcon.femmesh.boundary import rows_of_faces
 from hexcon.femmesh.elements import elements_of
 
 from .contents import NODES
@@ -58,8 +58,7 @@ def mesh_of(points, hexes, found=None):
 
     quads (n,4) is the whole boundary, outward; face_of_quad (n,) the numbers of groups of quads called Face<number>;
     quad_groups {name: rows of quads} the other groups that lie on the boundary; node_groups {name: rows of points}.
-    Quads of
-    groups that no hex has on the boundary are left out, with a note.
+    Quads of groups that no hex has on the boundary are left out, with a note.
     """
     mesh = SimpleNamespace(points=points, hexes=hexes, order=2 if hexes.shape[1] == 20 else 1, quads=None,
                            face_of_quad=None,
@@ -78,35 +77,21 @@ def mesh_of(points, hexes, found=None):
 def groups_on(quads, found, n_points):
     """({name: rows of quads (n,4)}, {name: rows of points}, number of grouped quads that are none of these).
 
-    Node sets that repeat a group of quads as NAME_NODES, as HexCon writes them, are left out."""
+    Node sets that HexCon writes beside these are left out: NALL, and NAME_NODES of a group of quads. Cost: one sort."""
     by_name, lost = {}, 0
-    keys = face_keys(quads, n_points)
-    order = np.lexsort((keys[:, 1], keys[:, 0]))
-    ranked = keys[order]
-    for group in found.groups:
-        corners = found.corners_of(group)
-        if not len(corners):
-            continue
-        rows = _rows_of(ranked, order, face_keys(corners, n_points))
+    corners = [found.corners_of(group) for group in found.groups]
+    together = rows_of_faces(quads, np.concatenate([np.zeros((0, 4), np.int64), *corners]), n_points)
+    for group, rows in zip(found.groups, np.split(together, np.cumsum([len(one) for one in corners])[:-1])):
         lost += int((rows < 0).sum())
         if (rows >= 0).any():
             before = by_name.get(group.name, np.zeros(0, np.int64))
             by_name[group.name] = np.unique(np.concatenate([before, rows[rows >= 0]]))
-    told = {f"{name.upper()}_NODES" for name in by_name} | {f"{name.upper()}_NODES" for name in ("N", "E")}
+    told = {"NALL", *(f"{name.upper()}_NODES" for name in by_name)}
     nodes = {}
     for group in found.groups:
-        if group.kind == NODES and len(group.rows) and group.name.upper() not in told and group.name.upper() != "NALL":
+        if group.kind == NODES and len(group.rows) and group.name.upper() not in told:
             nodes[group.name] = np.union1d(nodes.get(group.name, np.zeros(0, np.int64)), group.rows).astype(np.int64)
     return by_name, nodes, lost
-
-
-def _rows_of(ranked, order, wanted):
-    """Row of each wanted key (pairs), -1 where it is not there."""
-    together, inverse = np.unique(np.vstack([ranked, wanted]), axis=0, return_inverse=True)
-    inverse = inverse.ravel()
-    row = np.full(len(together), -1, np.int64)
-    row[inverse[:len(ranked)]] = order
-    return row[inverse[len(ranked):]]
 
 
 def take_cad_faces(groups, face_of_quad):
