@@ -7,6 +7,7 @@ from quad_figures import volume_of
 
 from hexcon.errors import FaultCode, HexconError
 from hexcon.files import read_mesh
+from hexcon.labels import Labels
 from hexcon.quads import surface_from_file
 
 
@@ -231,3 +232,13 @@ def test_latin_1(tmp_path):
     found = read_mesh(write(tmp_path, "*HEADING\n L\u00e4nge in mm\n" + BOX + "*NSET, NSET=Fl\u00e4che\n1\n",
                             encoding="latin-1"))
     assert len(found.hexes) == 8 and "Fl\u00e4che" in found.node_groups
+
+
+def test_numbers_of_a_file_stand_for_rows():
+    """In any order, sparse, with some twice: the last row counts, for elements and for members of groups alike."""
+    labels = Labels([7, 3, 10 ** 12, 3, -4])
+    assert labels.rows_of([[3, 7], [-4, 10 ** 12]]).tolist() == [[3, 0], [4, 2]]
+    assert labels.known([5, 3, 8, 7, 3]).tolist() == [3, 0, 3] and not len(labels.known([]))
+    with pytest.raises(ValueError, match="number 8 is named"):
+        labels.rows_of([3, 8])
+    assert not len(Labels([]).known([1, 2]))

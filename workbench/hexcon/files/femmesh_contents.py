@@ -4,7 +4,7 @@ import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.convert import FREECAD_HEX, refuse_other_elements
-from hexcon.labels import rows_of
+from hexcon.labels import Labels
 from hexcon.topological import is_topological
 
 from .contents import NODES, Contents, Group
@@ -20,8 +20,8 @@ def contents_of_femmesh(femmesh):
 
     Raises ToolError BAD_MESH for elements of no known kind."""
     nodes = femmesh.Nodes
-    ids = np.array(sorted(nodes), np.int64)
-    points = np.array([tuple(nodes[n]) for n in ids.tolist()], float).reshape(-1, 3)
+    ids = sorted(nodes)
+    points, labels = np.array([tuple(nodes[n]) for n in ids], float).reshape(-1, 3), Labels(ids)
     listed, places = {}, {}
     for elements, kinds in ((femmesh.Faces, _FACES), (femmesh.Volumes, _VOLUMES)):
         for element in elements:
@@ -32,8 +32,8 @@ def contents_of_femmesh(femmesh):
                                 FaultCode.BAD_MESH)
             places[element] = (kind, len(listed.setdefault(kind, [])))
             listed[kind].append(row)
-    cells = {kind: _vtk_order(kind, rows_of(ids, rows)) for kind, rows in listed.items()}
-    return Contents(points, cells, list(_groups(femmesh, ids, places)))
+    cells = {kind: _vtk_order(kind, labels.rows_of(rows)) for kind, rows in listed.items()}
+    return Contents(points, cells, list(_groups(femmesh, labels, places)))
 
 
 def mesh_of_object(mesh_object):
@@ -54,11 +54,11 @@ def _vtk_order(kind, rows):
     return turned
 
 
-def _groups(femmesh, ids, places):
+def _groups(femmesh, labels, places):
     for number in femmesh.Groups:
         name, members = femmesh.getGroupName(number), femmesh.getGroupElements(number)
         if femmesh.getGroupElementType(number) == "Node":
-            yield Group(name, NODES, rows_of(ids, members))
+            yield Group(name, NODES, labels.rows_of(members))
             continue
         by_kind = {}
         for element in members:

@@ -9,7 +9,7 @@ Datasets as of the SDRC manual: nodes 15, 781, 2411; elements 780, 2412; groups 
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
-from hexcon.labels import rows_of
+from hexcon.labels import Labels
 
 from .contents import NODES, Contents, Group
 from .text import parse_numbers
@@ -189,17 +189,15 @@ class _File:
         if not self.ids or not self.listed:
             raise ToolError(f"{self.path}: no nodes (datasets 15, 781, 2411) or no elements of a body (780, 2412)",
                             FaultCode.FILE_FORMAT)
-        ids = np.concatenate(self.ids)
-        cells, labels = {}, {}
+        nodes, cells, elements = Labels(np.concatenate(self.ids)), {}, {}
         for kind, (own, rows) in self.listed.items():
             try:
-                cells[kind] = rows_of(ids, np.array(rows).astype(np.int64))
-                labels[kind] = np.array(own, np.int64)
+                cells[kind], elements[kind] = nodes.rows_of(np.array(rows).astype(np.int64)), Labels(own)
             except (ValueError, OverflowError) as error:
                 raise ToolError(f"{self.path}: an element of kind {kind} names a node that is not defined: {error}",
                                 FaultCode.FILE_FORMAT) from error
         places, told = self._scaled(self._placed()), self.factor is not None and self.part != _SMESH
-        return Contents(places, cells, list(self._group_rows(ids, labels)), self.notes, self.counts, told)
+        return Contents(places, cells, list(self._group_rows(nodes, elements)), self.notes, self.counts, told)
 
     def _placed(self):
         """Places in the whole, of nodes in coordinate systems of their own."""
@@ -226,23 +224,16 @@ class _File:
                           f"{1000.0 / self.factor:.6g}")
         return places * (1000.0 / self.factor)
 
-    def _group_rows(self, ids, labels):
+    def _group_rows(self, nodes, elements):
         """The groups, by kinds; members that are not there are left out."""
         for name, kind, members in self.named:
             if kind == _GROUPED_NODES and len(members):
-                yield Group(name, NODES, _known(ids, members))
+                yield Group(name, NODES, nodes.known(members))
             elif len(members):
-                for cells, own in labels.items():
-                    rows = _known(own, members)
+                for cells, labels in elements.items():
+                    rows = labels.known(members)
                     if len(rows):
                         yield Group(name, cells, rows)
-
-
-def _known(labels, wanted):
-    """Rows of the labels that are there."""
-    order = np.argsort(labels, kind="stable")
-    place = np.minimum(np.searchsorted(labels[order], wanted), len(order) - 1)
-    return order[place][labels[order][place] == wanted]
 
 
 def _cartesian(kind, values):

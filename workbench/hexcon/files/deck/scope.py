@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Nodes, elements and sets whose numbers are of one kind: those of a part, an instance, the assembly, or in the
 open."""
+import functools
+
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
-from hexcon.labels import rows_of
+from hexcon.labels import Labels, rows_of
 
 from .cards import whole_numbers
 from .element_types import kind_of
@@ -26,8 +28,7 @@ class Scope:
         self._system = System()
         self.node_ids = self.places = None
         self.first = 0
-        self._places_of = {}    # element id's: {type: (ids, first row in cells)}
-        self.faces_of = {}
+        self._places_of = {}    # of elements: {kind: [(ids, first row in cells)]}
 
     @property
     def is_empty(self):
@@ -39,8 +40,8 @@ class Scope:
         self.surfaces = [(card, self) for card, _ in part.surfaces]
         self.notes = list(part.notes)
         for kind, named in part.sets.items():
-            self.sets[kind] = {key: (name, [(self, ids) for _, ids in members]) for key, (name,
-                                                                                          members) in named.items()}
+            self.sets[kind] = {key: (name, [(self, ids) for _, ids in members])
+                               for key, (name, members) in named.items()}
 
     # ---- cards
 
@@ -134,7 +135,7 @@ class Scope:
         kept = np.sort(len(ids) - 1 - from_end)
         if len(kept) < len(ids):
             self.notes.append(f"{len(ids) - len(kept)} nodes are defined more than once: the last place counts")
-        self.node_ids, self.places = ids[kept], places[kept]
+        self.node_ids, self.places, self._nodes = ids[kept], places[kept], Labels(ids[kept])
         if self.move is not None:
             with np.errstate(invalid="ignore"):     # what is not finite is refused later
                 self.places = self.move(self.places)
@@ -160,7 +161,7 @@ class Scope:
             if kind is None or not len(ids):
                 continue
             try:
-                rows = rows_of(self.node_ids, nodes) + self.first
+                rows = self._nodes.rows_of(nodes) + self.first
             except ValueError as error:
                 raise ToolError(f"{self.path}: elements of type {kind_name}{self._where()} name nodes that are not "
                                 f"defined: "
@@ -171,22 +172,19 @@ class Scope:
 
     def rows_of_elements(self, ids):
         """{kind: rows in its cells} of element numbers; numbers of lines and points, and unknown ones, are left out."""
-        found = {}
-        for kind, blocks in self._places_of.items():
-            known = np.concatenate([block for block, _ in blocks])
-            rows = np.concatenate([first + np.arange(len(block)) for block, first in blocks])
-            order = np.argsort(known)
-            place = np.minimum(np.searchsorted(known[order], ids), len(known) - 1)
-            there = known[order][place] == ids
-            if there.any():
-                found[kind] = rows[order][place[there]]
-        return found
+        known = {kind: rows[labels.known(ids)] for kind, (labels, rows) in self._elements_by_kind.items()}
+        return {kind: rows for kind, rows in known.items() if len(rows)}
+
+    @functools.cached_property
+    def _elements_by_kind(self):
+        """{kind: (Labels of the elements, their rows in its cells)}, when all are handed over."""
+        return {kind: (Labels(np.concatenate([ids for ids, _ in blocks])),
+                       np.concatenate([first + np.arange(len(ids)) for ids, first in blocks]))
+                for kind, blocks in self._places_of.items()}
 
     def rows_of_nodes(self, ids):
         """Rows of node numbers among all points; unknown ones are left out."""
-        order = np.argsort(self.node_ids)
-        place = np.minimum(np.searchsorted(self.node_ids[order], ids), len(order) - 1) if len(order) else ids[:0]
-        return order[place][self.node_ids[order][place] == ids] + self.first if len(order) else place
+        return self._nodes.known(ids) + self.first
 
 
 def _node_rows(card):

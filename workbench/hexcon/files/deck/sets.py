@@ -81,23 +81,20 @@ def groups_of(scopes, cells, instance):
     groups = {}
     for scope in scopes:
         for name, members in scope.sets["nodes"].values():
-            rows = [holder.rows_of_nodes(ids) for holder, ids in members]
-            _put(groups, name, NODES, np.concatenate(rows))
+            for holder, ids in members:
+                _put(groups, name, NODES, holder.rows_of_nodes(ids))
         for name, members in scope.sets["elements"].values():
             for holder, ids in members:
                 for kind, rows in holder.rows_of_elements(ids).items():
                     _put(groups, name, kind, rows)
         for card, holder in scope.surfaces:
             _put_surface(groups, card, holder, hexes, cells, instance)
-    return [Group(name, kind, np.unique(rows, axis=0)) for (_, kind), (name, rows) in groups.items() if len(rows)]
+    joined = [(name, kind, np.concatenate(blocks)) for (_, kind), (name, blocks) in groups.items()]
+    return [Group(name, kind, np.unique(rows, axis=0)) for name, kind, rows in joined if len(rows)]
 
 
 def _put(groups, name, kind, rows):
-    key = (name.upper(), kind)
-    if key in groups:
-        name, before = groups[key]
-        rows = np.concatenate([before, rows])
-    groups[key] = (name, rows)
+    groups.setdefault((name.upper(), kind), (name, []))[1].append(rows)
 
 
 def _put_surface(groups, card, scope, hexes, cells, instance):
