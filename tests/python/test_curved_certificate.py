@@ -100,7 +100,8 @@ def test_table_of_node_orders():
     """The page's rows are the code's, and gmsh's follows from the ends of its edges."""
     page = (ROOT / "docs" / "methods.md").read_text(encoding="utf-8")
     for name, words in (("VTK", "VTK_QUADRATIC"), ("CalculiX, Abaqus", "CalculiX and Abaqus"), ("Exodus II", "Exodus"),
-                        ("gmsh, files of .msh", "gmsh, element"), ("FreeCAD (SMESH)", "FreeCAD"), ("UNV 116", "UNV")):
+                        ("gmsh, files of .msh", "gmsh, element"), ("FreeCAD (SMESH)", "FreeCAD"), ("UNV 116", "UNV"),
+                        ("Nastran CHEXA", "Nastran")):
         row = next(line for line in page.splitlines() if line.startswith("|") and words in line)
         assert [int(n) for n in re.findall(r"\d+", row.split("|", 2)[2])] == HEX20[name]
         assert sorted(HEX20[name]) == list(range(20))

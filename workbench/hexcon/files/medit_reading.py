@@ -7,6 +7,7 @@ or 2, and certain lines, too. Format: Frey, MEDIT, INRIA technical report 0253, 
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
+from hexcon.femmesh.node_orders import HEX20, HEX27_GMSH, places_of
 
 from .contents import Contents, Group
 from .text import parse_numbers
@@ -18,10 +19,10 @@ _CELLS = {"vertices": None, "edges": ("line", 2), "triangles": ("triangle", 3), 
                                                                                       6), "pentahedra": ("wedge", 6),
           "pyramids": ("pyramid", 5)}
 # What gmsh writes at order 2: (kind, nodes) -> kind, and the places of VTK's nodes among gmsh's.
-_HEX20 = (*range(8), 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15)
-_SECOND = {("line", 3): ("line3", range(3)), ("triangle", 6): ("triangle6", range(6)), ("quad", 8): ("quad8", range(8)),
-           ("quad", 9): ("quad9", range(9)), ("hexahedron", 20): ("hexahedron20", _HEX20),
-           ("hexahedron", 27): ("hexahedron27", (*_HEX20, 22, 23, 21, 24, 20, 25, 26))}
+_SECOND = {("line", 3): ("line3", range(3)), ("triangle", 6): ("triangle6", range(6)),
+           ("quad", 8): ("quad8", range(8)), ("quad", 9): ("quad9", range(9)),
+           ("hexahedron", 20): ("hexahedron20", places_of(HEX20["gmsh, files of .msh"])),
+           ("hexahedron", 27): ("hexahedron27", places_of(HEX27_GMSH))}
 # keyword -> numbers in each row, of what is passed over
 _OTHERS = {"corners": 1, "requiredvertices": 1, "ridges": 1, "requirededges": 1, "requiredtriangles": 1,
            "requiredquadrilaterals": 1, "normals": 3, "tangents": 3, "normalatvertices": 2, "tangentatvertices": 2,

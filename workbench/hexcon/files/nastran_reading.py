@@ -10,10 +10,12 @@ import re
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
+from hexcon.femmesh.node_orders import HEX20, places_of
 from hexcon.labels import rows_of
 
 from .contents import Contents, Group
 from .regular import regular_file
+from .text import real
 
 _FLAT = {"CQUAD4": (4,), "CQUADR": (4,), "CSHEAR": (4,), "CQUAD8": (8, 4), "CQUAD": (9, 8, 4), "CTRIA3": (3,),
          "CTRIAR": (3,), "CTRIA6": (6, 3)}
@@ -21,8 +23,6 @@ _SOLID = {"CHEXA": (20, 8), "CTETRA": (10, 4), "CPENTA": (15, 6), "CPYRAM": (13,
 _KIND = {3: "triangle", 6: "triangle6", 4: "quad", 8: "quad8", 9: "quad9"}
 _SOLID_KIND = {"CHEXA": {8: "hexahedron", 20: "hexahedron20"}, "CTETRA": {4: "tetra", 10: "tetra10"},
                "CPENTA": {6: "wedge", 15: "wedge15"}, "CPYRAM": {5: "pyramid", 13: "pyramid13"}}
-# Nastran's middle nodes of a CHEXA go: bottom, uprights, top; VTK's: bottom, top, uprights.
-_HEX20 = [*range(12), 16, 17, 18, 19, 12, 13, 14, 15]
 _REFUSED = ("CQUADX", "CTRIAX", "CTRIAX6", "GRDSET", "CHEX", "CIHEX1", "CIHEX2", "CHEXA1", "CHEXA2")
 
 
@@ -100,12 +100,11 @@ def _fields(line):
 
 
 def _real(text):
-    """1.5, 1.5E3, 1.5D3, 1.5+3; "" is 0."""
-    text = text.upper().replace("D", "E")
+    """text.real, and Nastran's 1.5+3."""
     if re.fullmatch(r"[+-]?[\d.]+[+-]\d+", text):
         k = max(text.rfind("+"), text.rfind("-"))
         text = text[:k] + "E" + text[k:]
-    return float(text) if text else 0.0
+    return real(text)
 
 
 # ------------------------------------------------------------------------------ cards to a mesh
@@ -158,7 +157,7 @@ class _Nastran:
                 raise ToolError(f"{self.path}: a {kind} names a GRID that is not defined: {error}",
                                 FaultCode.FILE_FORMAT) from error
             if kind == "hexahedron20":
-                cells[kind] = cells[kind][:, _HEX20]
+                cells[kind] = cells[kind][:, places_of(HEX20["Nastran CHEXA"])]
             numbers = np.array(self.properties[kind])
             found = np.unique(numbers)
             if kind.startswith("quad") and len(found) > 1:

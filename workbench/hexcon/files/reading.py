@@ -28,7 +28,7 @@ MEMORY, MEMORY_PER_BYTE = 3 << 30, 100      # bytes of address space, of which l
 def read(reader, path, table, *, program, progress=None, **wanted):
     """Let a reader of the file worker read a regular file; returns arrays, checked against a table of answers.Array.
 
-    reader    "mesh" (meshio, then VTK), "med", "solid" (FreeCAD): see file_worker/start.py
+    reader    "mesh" (gmsh, VTK, meshio), "med", "document", "solid" (FreeCAD): see file_worker/start.py
     program   who reads, for words
     progress  callable(stage, fraction), for cancelling: whatever it raises ends the process and comes out here
     wanted    what else the reader wants to know

@@ -41,6 +41,11 @@ def write_list(stream, ids, per_line=10, separator=", "):
         stream.write((separator.rstrip() + "\n").join(lines) + separator.rstrip() + "\n")
 
 
+def real(text):
+    """A float, as Fortran writes it too (1.5D3); 0 where a field is left empty. Raises ValueError."""
+    return float(text.upper().replace("D", "E")) if text else 0.0
+
+
 def parse_numbers(text, kind):
     """(n,) array of kind from numbers set apart by blanks, commas and line ends.
 

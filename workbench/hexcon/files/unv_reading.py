@@ -3,30 +3,29 @@
 
 Ours, because gmsh's leaves out coordinate systems and units, SMESH's some kinds and all units, and meshio has none.
 Datasets as of the SDRC manual: nodes 15, 781, 2411; elements 780, 2412; groups 2417, 2429, 2430, 2432, 2435, 2452,
-2467,
-2477; coordinate systems 2420; units 164.
+2467, 2477; coordinate systems 2420; units 164.
 """
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
+from hexcon.femmesh.node_orders import HEX20, HEX27_GMSH, places_of
 from hexcon.labels import Labels
 
 from .contents import NODES, Contents, Group
-from .text import parse_numbers
+from .text import parse_numbers, real
 
 # descriptor -> {number of nodes: (kind by meshio's names, positions of VTK's nodes among the element's)}; parabolic
 # elements go round: corner, middle, corner, ...
 _T3, _T6 = ("triangle", range(3)), ("triangle6", (0, 2, 4, 1, 3, 5))
 _Q4, _Q8 = ("quad", range(4)), ("quad8", (0, 2, 4, 6, 1, 3, 5, 7))
-_HEX20 = (0, 2, 4, 6, 12, 14, 16, 18, 1, 3, 5, 7, 13, 15, 17, 19, 8, 9, 10, 11)
 # gmsh writes quads of 9 and hexes of 27 nodes as linear kinds, in its own order: corners, edges, faces, middle.
 _GMSH_Q9 = ("quad9", range(9))
-_GMSH_HEX27 = ("hexahedron27", (*range(8), 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15, 22, 23, 21, 24, 20, 25, 26))
+_GMSH_HEX27 = ("hexahedron27", places_of(HEX27_GMSH))
 _SOLIDS = {
     111: {4: ("tetra", range(4))}, 118: {10: ("tetra10", (0, 2, 4, 9, 1, 3, 5, 6, 7, 8))},
     112: {6: ("wedge", range(6))}, 113: {15: ("wedge15", (0, 2, 4, 9, 11, 13, 1, 3, 5, 10, 12, 14, 6, 7, 8))},
     114: {5: ("pyramid", range(5))},
-    115: {8: ("hexahedron", range(8)), 27: _GMSH_HEX27}, 116: {20: ("hexahedron20", _HEX20)}}
+    115: {8: ("hexahedron", range(8)), 27: _GMSH_HEX27}, 116: {20: ("hexahedron20", places_of(HEX20["UNV 116"]))}}
 _FLAT = {code: {4: _Q4, 9: _GMSH_Q9} for code in (44, 54, 64, 74, 84, 94, 122)}
 _FLAT |= {code: {8: _Q8} for code in (45, 55, 65, 75, 85, 95)}
 _FLAT |= {code: {3: _T3} for code in (41, 51, 61, 81, 91, 121)}
@@ -35,8 +34,7 @@ _KINDS = _SOLIDS | _FLAT
 _BEAMS = (11, 21, 22, 23, 24)                           # these have one more line
 _LINES = (*_BEAMS, 31, 32, 136, 137, 138, 139, 141, 151, 152, 161, 171, 172, 181)   # rods, springs, masses, points
 
-_GROUPS = {2417: (6, 4), 2429: (8, 4), 2430: (8, 4), 2432: (8, 4), 2435: (8, 4), 2452: (8, 4), 2467: (8, 4), 2477: (8,
-                                                                                                                    4)}
+_GROUPS = (2417, 2429, 2430, 2432, 2435, 2452, 2467, 2477)
 _GROUPED_NODES, _GROUPED_ELEMENTS = 7, 8
 _CARTESIAN, _CYLINDRICAL, _SPHERICAL = 0, 1, 2
 _SMESH = "SMESH_Mesh"   # the part's name that SMESH (Salome, FreeCAD) writes, with units of metres whatever they are
@@ -160,14 +158,13 @@ class _File:
             self.systems[label] = (kind, matrix.reshape(4, 3))
 
     def _units(self, number, first, lines):
-        self.factor = float(lines[1].split()[0].upper().replace("D", "E"))
+        self.factor = real(lines[1].split()[0])
         self.unit_name = " ".join(lines[0][10:30].split())
         if not 0.0 < self.factor < np.inf:
             raise ValueError(f"a unit of length of {self.factor}")
 
     def _groups(self, number, first, lines):
         """Head with the count of members at its end, name, members: kind, label and what is passed over."""
-        fields, width = _GROUPS[number]
         at = 0
         while at < len(lines):
             head = lines[at].split()

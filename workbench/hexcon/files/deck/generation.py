@@ -2,6 +2,7 @@
 """Nodes and elements that a card makes of others: *NGEN, *ELGEN, *NCOPY, *ELCOPY."""
 import numpy as np
 
+from ..text import real
 from .instances import rotation
 
 MOST = 20_000_000   # nodes or elements that one card may make
@@ -33,7 +34,7 @@ def _ngen(card, scope):
     if "SYSTEM" in card.parameters and card.value("SYSTEM", "").upper()[:1] not in ("R", ""):
         raise card.fault("SYSTEM=C or S is not understood here")
     made = []
-    for number, row in _numbers(card, _number, 2, 10):
+    for number, row in _numbers(card, real, 2, 10):
         first, last, step = int(row[0]), int(row[1]), int(row[2] or 1) if len(row) > 2 else 1
         count, rest = divmod(last - first, step) if step else (0, 1)
         if rest or not 1 <= count <= MOST:
@@ -45,10 +46,6 @@ def _ngen(card, scope):
         made += [np.array([first, last]), ids]
     if card.value("NSET"):
         scope.add_to_set("nodes", card.value("NSET"), scope, np.unique(np.concatenate([np.zeros(0, np.int64), *made])))
-
-
-def _number(text):
-    return float(text.upper().replace("D", "E"))
 
 
 def _between(card, scope, line, ends, parts, row, number):
@@ -108,7 +105,7 @@ def _ncopy(card, scope):
     shift, old = _whole(card, "CHANGE NUMBER"), _old_set(card, scope, "nodes")
     places, made = scope.node_places(old, card), []
     ways = [name for name in ("SHIFT", "REFLECT", "POLE") if name in card.parameters]
-    rows = [row for _, row in _numbers(card, _number, 1, 9)]
+    rows = [row for _, row in _numbers(card, real, 1, 9)]
     rows = [[value or 0.0 for value in row] for row in rows]
     if len(ways) != 1 or ways[0] == "POLE":
         raise card.fault("SHIFT or REFLECT is needed; POLE is not understood")

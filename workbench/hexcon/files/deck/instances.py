@@ -2,6 +2,7 @@
 """Instances of parts: moved, then turned about an axis, as the data lines of *INSTANCE say."""
 import numpy as np
 
+from ..text import real
 from .scope import Scope
 
 
@@ -18,7 +19,7 @@ def _movement(card):
     lines = []
     for number, parts in card.fields():
         try:
-            lines.append([float(part.upper().replace("D", "E")) if part else 0.0 for part in parts])
+            lines.append([real(part) for part in parts])
         except ValueError as error:
             raise card.fault(f"numbers are needed ({error})", number) from error
     if not lines:

@@ -8,6 +8,7 @@ import numpy as np
 from hexcon.errors import FaultCode, ToolError
 from hexcon.labels import Labels, rows_of
 
+from ..text import real
 from .cards import whole_numbers
 from .element_types import kind_of
 from .systems import System, to_cartesian
@@ -200,7 +201,7 @@ def _node_rows(card):
     rows = []
     for number, parts in card.fields():
         try:
-            values = [float(part.upper().replace("D", "E")) if part else 0.0 for part in parts[:4]]
+            values = [real(part) for part in parts[:4]]
         except ValueError as error:
             raise card.fault(f"{', '.join(parts)[:80]!r} is no node: a number and up to three coordinates are needed",
                              number) from error

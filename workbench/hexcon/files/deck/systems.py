@@ -2,6 +2,8 @@
 """Coordinates of nodes that are not x, y, z of the whole: SYSTEM=C or S on a card, and *SYSTEM cards."""
 import numpy as np
 
+from ..text import real
+
 
 def to_cartesian(values, card):
     """(n,3) x, y, z of coordinates as a card's SYSTEM= says: R (or none), C: r, angle, z; S: r, angle, angle above the
@@ -35,8 +37,7 @@ class System:
     def of(cls, card):
         """Origin, a point on the x axis, and (second line) a point of the x, y plane; without data: the whole's."""
         try:
-            values = [float(part.upper().replace("D", "E")) if part else 0.0 for _, parts in card.fields()
-                      for part in parts]
+            values = [real(part) for _, parts in card.fields() for part in parts]
         except ValueError as error:
             raise card.fault(f"numbers are needed ({error})") from error
         if not values:

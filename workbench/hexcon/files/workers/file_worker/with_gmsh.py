@@ -1,31 +1,30 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""gmsh's own reader: every version of .msh, Nastran's .bdf, .off."""
-import os
-
+"""gmsh's own reader, of every version of .msh."""
 import gmsh
 import numpy as np
+
+from hexcon.femmesh.node_orders import HEX20, HEX27_GMSH, places_of
 
 from .mesh import joined, mesh_arrays
 from .refusal import Refusal
 
 # gmsh's type of element -> meshio's name, and the places of VTK's nodes among gmsh's.
-_HEX20 = [*range(8), 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15]
 _KINDS = {
     2: ("triangle", 3), 9: ("triangle6", 6), 3: ("quad", 4), 16: ("quad8", 8), 10: ("quad9", 9), 4: ("tetra", 4),
-    11: ("tetra10", [*range(8), 9, 8]), 5: ("hexahedron", 8), 17: ("hexahedron20", _HEX20),
-    12: ("hexahedron27", [*_HEX20, 22, 23, 21, 24, 20, 25, 26]), 6: ("wedge", 6),
+    11: ("tetra10", [*range(8), 9, 8]), 5: ("hexahedron", 8),
+    17: ("hexahedron20", places_of(HEX20["gmsh, files of .msh"])),
+    12: ("hexahedron27", places_of(HEX27_GMSH)), 6: ("wedge", 6),
     18: ("wedge15", [0, 1, 2, 3, 4, 5, 6, 9, 7, 12, 14, 13, 8, 10, 11]), 7: ("pyramid", 5),
     19: ("pyramid13", [0, 1, 2, 3, 4, 5, 8, 10, 6, 7, 9, 11, 12])}
 _PASSED_OVER = {15: "vertex", 1: "line", 8: "line3", 26: "line4", 27: "line5"}
-_HEADS = {".msh": (b"$MeshFormat", b"$NOD", b"$Comments")}
+_HEADS = (b"$MeshFormat", b"$NOD", b"$Comments")
 
 
 def read(path):
     """Arrays of mesh.mesh_arrays. Raises ValueError, and what gmsh raises."""
-    ending = os.path.splitext(path)[1].lower()
     with open(path, "rb") as stream:
         head = stream.read(4096)
-    if ending in _HEADS and not any(one in head for one in _HEADS[ending]):
+    if not any(one in head for one in _HEADS):
         raise ValueError("not a file of gmsh")
     gmsh.initialize(["gmsh", "-nopopup"], readConfigFiles=False)
     gmsh.option.setNumber("General.Terminal", 0)
@@ -67,8 +66,7 @@ def _block(kind, count, nodes, tags):
     if kind not in _KINDS:
         name, _, order, size, _, _ = gmsh.model.mesh.getElementProperties(kind)
         raise Refusal("FILE_FORMAT", f"{count} elements of kind {name} (order {order}, {size} nodes); orders 1 and 2 "
-                                     f"are "
-                      "possible")
+                                     "are possible")
     name, places = _KINDS[kind]
     rows = nodes.reshape(count, -1)
     return name, _rows(rows if isinstance(places, int) else rows[:, places], tags)

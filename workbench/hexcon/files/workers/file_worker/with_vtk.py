@@ -6,6 +6,8 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkObject
 
+from hexcon.femmesh.hexahedron import FACES
+
 from .mesh import groups_of_fields, joined, mesh_arrays
 
 # VTK's cell type -> meshio's name, number of points
@@ -154,13 +156,10 @@ def _is_mask(array):
     return len(array) and array.max() == 1
 
 
-_SIDES = np.array([(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)])   # hexahedron.FACES
-
-
 def _of_sides(name, values, rows):
     if name == "face_of_side":
-        return [(f"Face{n}", "faces", rows[:, _SIDES][values == n]) for n in np.unique(values[values > 0]).tolist()]
-    return [(name, "faces", rows[:, _SIDES][values == 1])] if _is_mask(values) else []
+        return [(f"Face{n}", "faces", rows[:, FACES][values == n]) for n in np.unique(values[values > 0]).tolist()]
+    return [(name, "faces", rows[:, FACES][values == 1])] if _is_mask(values) else []
 
 
 _MOST_VALUES = 1000     # of an array that means groups
