@@ -115,7 +115,7 @@ def _facts(mesh):
             "hexes": len(mesh.hexes), "quads": len(mesh.quads),
             "topological": is_topological(mesh), "quality": _as_dict(mesh.quality),
             "lengths": lengths_of(mesh.points, mesh.hexes).as_dict(), "certificate": _as_dict(mesh.certificate),
-            "report": {k: v for k, v in mesh.report.items()}}
+            "report": dict(mesh.report)}
 
 
 def _as_dict(found):

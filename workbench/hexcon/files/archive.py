@@ -111,7 +111,7 @@ def _end_of(entry, stream):
         stream.seek(end)
         behind = stream.read(16)
         facts = struct.pack("<3L", entry.CRC, entry.compress_size, entry.file_size)
-        if behind not in (b"PK\7\x08" + facts, ) and behind[:12] != facts:
+        if behind != b"PK\7\x08" + facts and behind[:12] != facts:
             raise _refused(f"the two headers of {entry.filename!r} in it disagree")
         end += 16 if behind[:4] == b"PK\7\x08" else 12
     return end

@@ -14,11 +14,9 @@ from hexcon.freecad_compat import freecad, freecad_module, shape_in_whole
 
 # Links of these names use an object up; others (supports, paths, "up to" faces, expressions) only look at it.
 _USES_UP = ("Base", "Tool", "Tools", "Shapes", "Links", "Source", "Sources", "Objects", "BaseFeature", "Profile",
-            "Sections",
-            "Additions", "Subtractions", "Shape1", "Shape2")
-_LOOKS_ONLY = ("Part::Mirroring", "PartDesign::ShapeBinder",
-               "PartDesign::SubShapeBinder")  # both stay solids of their own
+            "Sections", "Additions", "Subtractions", "Shape1", "Shape2")
 _REFERENCES = ("PartDesign::ShapeBinder", "PartDesign::SubShapeBinder")
+_LOOKS_ONLY = ("Part::Mirroring", *_REFERENCES)     # what these look at stays a solid of its own
 _LINKS = ("App::Link", "App::LinkPython", "App::LinkElement", "App::LinkGroup")
 _LISTED = 20    # solids, in words
 

@@ -15,18 +15,18 @@ from .text import parse_numbers
 # keyword -> (kind by meshio's names, corners); each has a reference number behind it
 _CELLS = {"vertices": None, "edges": ("line", 2), "triangles": ("triangle", 3), "quadrilaterals": ("quad", 4),
           "tetrahedra": ("tetra", 4), "tetrahedrons": ("tetra", 4), "hexahedra": ("hexahedron", 8),
-          "hexaedra": ("hexahedron", 8), "hexahedrons": ("hexahedron", 8), "prisms": ("wedge",
-                                                                                      6), "pentahedra": ("wedge", 6),
-          "pyramids": ("pyramid", 5)}
+          "hexaedra": ("hexahedron", 8), "hexahedrons": ("hexahedron", 8),
+          "prisms": ("wedge", 6), "pentahedra": ("wedge", 6), "pyramids": ("pyramid", 5)}
 # What gmsh writes at order 2: (kind, nodes) -> kind, and the places of VTK's nodes among gmsh's.
 _SECOND = {("line", 3): ("line3", range(3)), ("triangle", 6): ("triangle6", range(6)),
            ("quad", 8): ("quad8", range(8)), ("quad", 9): ("quad9", range(9)),
            ("hexahedron", 20): ("hexahedron20", places_of(HEX20["gmsh, files of .msh"])),
            ("hexahedron", 27): ("hexahedron27", places_of(HEX27_GMSH))}
-# keyword -> numbers in each row, of what is passed over
+# keyword -> numbers in each row, of what is passed over; None: as many as the space has dimensions
 _OTHERS = {"corners": 1, "requiredvertices": 1, "ridges": 1, "requirededges": 1, "requiredtriangles": 1,
-           "requiredquadrilaterals": 1, "normals": 3, "tangents": 3, "normalatvertices": 2, "tangentatvertices": 2,
-           "normalattrianglevertices": 3, "normalatquadrilateralvertices": 3, "tangentatedges": 3}
+           "requiredquadrilaterals": 1, "normals": None, "tangents": None, "normalatvertices": 2,
+           "tangentatvertices": 2, "normalattrianglevertices": 3, "normalatquadrilateralvertices": 3,
+           "tangentatedges": 3}
 _SINGLE = ("meshversionformatted", "dimension")
 _MOST_GROUPS = 1000
 
@@ -73,36 +73,36 @@ class _Medit:
 
     def _take(self, keyword):
         if keyword in _SINGLE:
-            value = self._whole(keyword)
+            value = self._whole()
             if keyword == "dimension":
                 if value not in (2, 3):
                     raise self.fault(f"Dimension {value}; 2 or 3 is possible")
                 self.dimension = value
         elif keyword == "vertices":
-            rows = self._rows(keyword, self.dimension + 1, float)
+            rows = self._rows(self.dimension + 1, float)
             self.points = np.zeros((len(rows), 3))
             self.points[:, :self.dimension] = rows[:, :-1]
         elif keyword in _CELLS:
-            self._elements(keyword, *_CELLS[keyword])
+            self._elements(*_CELLS[keyword])
         elif keyword in _OTHERS:
-            self._rows(keyword, None if keyword.startswith(("normals", "tangents")) else _OTHERS[keyword], float)
+            self._rows(_OTHERS[keyword] or self.dimension, float)
         else:
             raise self.fault(f"keyword {self.shown!r} is not known, and may be a part of the mesh")
 
-    def _elements(self, keyword, kind, corners):
+    def _elements(self, kind, corners):
         """Corners and a reference in each row; gmsh writes elements of order 2 under the same keywords, with more
         nodes."""
-        nodes = self._width(keyword) - 1
+        nodes = self._width() - 1
         kind, places = (kind, range(corners)) if nodes in (-1, corners) else _SECOND.get((kind, nodes), (kind, None))
         if places is None:
             raise self.fault(f"{self.shown}: rows of {nodes} nodes and a reference; {corners} nodes are possible")
-        rows = self._rows(keyword, len(places) + 1, np.int64)
+        rows = self._rows(len(places) + 1, np.int64)
         if len(rows):
             before = self.cells.get(kind, np.zeros((0, len(places)), np.int64))
             self.cells[kind] = np.vstack([before, rows[:, list(places)] - 1])
             self.references[kind] = np.concatenate([self.references.get(kind, np.zeros(0, np.int64)), rows[:, -1]])
 
-    def _width(self, keyword):
+    def _width(self):
         """Numbers in a row, by all up to the next keyword; 0 where they are not the same many in each."""
         count = int(self.words[self.at]) if self.at < len(self.words) and self.words[self.at].isdigit() else 0
         end = start = self.at + 1
@@ -110,17 +110,16 @@ class _Medit:
             end += 1
         return (end - start) // count if count and (end - start) % count == 0 else 0
 
-    def _whole(self, keyword):
+    def _whole(self):
         try:
             self.at += 1
             return int(self.words[self.at - 1])
         except (ValueError, IndexError) as error:
             raise self.fault(f"{self.shown} has no whole number behind it") from error
 
-    def _rows(self, keyword, width, kind):
+    def _rows(self, width, kind):
         """(n, width) numbers behind a keyword and their count."""
-        count = self._whole(keyword)
-        width = self.dimension if width is None else width
+        count = self._whole()
         if not 0 <= count <= len(self.words) // max(width, 1):
             raise self.fault(f"{self.shown}: {count} rows cannot be in a file of {len(self.words)} words")
         end = self.at + count * width

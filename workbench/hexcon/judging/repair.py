@@ -12,7 +12,7 @@ from hexcon.femmesh.hexahedron import FACES
 from hexcon.femmesh.second_order import lower_order
 from hexcon.files.contents import FACES as FACES_OF, NODES, Contents, Group
 from hexcon.files.hex_contents import mesh_of
-from hexcon.quads.seams import coincident
+from hexcon.quads.seams import collapsed, merged_rows
 
 REVERSED = FREECAD_HEX[:8]      # the same hex with its nodes in the other sense
 
@@ -42,7 +42,7 @@ def repair_mesh(found, *, pillow="auto", merge_tolerance=None, progress=None):
         points, hexes, kept = lower_order(points, hexes)
         named.renumber(_places(len(found.points), kept))
     if merge_tolerance:
-        points, hexes = _merged(points, hexes, merge_tolerance, named, notes)
+        hexes = _merged(points, hexes, merge_tolerance, named, notes)
     points, hexes = _packed(points, hexes, named, notes)
     turned = reversed_hexes(points, hexes)
     if len(turned):
@@ -81,20 +81,15 @@ class _Named:
 
 
 def _merged(points, hexes, tolerance, named, notes):
-    used = np.unique(hexes)
-    same = np.arange(len(points))
-    same[used] = used[coincident(points[used], tolerance)]
-    merged = same[hexes]
-    ranked = np.sort(merged, axis=1)
-    broken = np.flatnonzero((ranked[:, 1:] == ranked[:, :-1]).any(axis=1))
+    same, count = merged_rows(points, hexes, tolerance)
+    broken = collapsed(same[hexes])
     if len(broken):
         raise ToolError(f"a merge tolerance of {tolerance:g} would merge corners of {len(broken)} hexes (listed)",
                         FaultCode.BAD_OPTION, broken)
-    count = int((same != np.arange(len(points))).sum())
     if count:
         notes.append(f"{count} points merged with others nearer than {tolerance:g}")
     named.renumber(same)
-    return points, merged
+    return same[hexes]
 
 
 def _packed(points, hexes, named, notes):

@@ -4,7 +4,7 @@ import numpy as np
 
 from hexcon_native import ErrorCode, HexconError
 
-from .seams import open_edges, words_about_open_edges
+from .seams import collapsed, open_edges, words_about_open_edges
 
 _MOST = 1000    # ids that a fault lists
 
@@ -26,8 +26,7 @@ def named(fault, points, quads):
 
 
 def _repeated(points, quads):
-    ranked = np.sort(quads, axis=1)
-    return np.flatnonzero((ranked[:, 1:] == ranked[:, :-1]).any(axis=1))
+    return collapsed(quads)
 
 
 def _twice(points, quads):

@@ -7,6 +7,7 @@ import numpy as np
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.second_order import STRAIGHT
 from hexcon.files.cell_kinds import CORNERS, linear_kind
+from hexcon.files.contents import FACES, NODES
 from hexcon.files.hex_contents import groups_on, take_cad_faces
 from hexcon_native import ErrorCode, HexconError
 
@@ -114,11 +115,10 @@ def _grouped(surface, quads, same, found):
     points = np.full(len(same), -1, np.int64)
     used = np.unique(quads)
     points[used] = np.arange(len(used))
-    moved = replace(found, cells={kind: rows for kind, rows in found.cells.items() if rows.size
-                                  and kind.startswith("quad")})
-    moved.cells = {kind: same[rows] for kind, rows in moved.cells.items()}
-    moved.groups = [replace(group, rows=same[group.rows]) if group.kind in ("faces", "nodes") else group
-                    for group in found.groups if group.kind in ("faces", "nodes") or group.kind in moved.cells]
+    cells = {kind: same[rows] for kind, rows in found.cells.items() if rows.size and kind.startswith("quad")}
+    groups = [replace(group, rows=same[group.rows]) if group.kind in (FACES, NODES) else group
+              for group in found.groups if group.kind in (FACES, NODES) or group.kind in cells]
+    moved = replace(found, cells=cells, groups=groups)
     named, nodes, _ = groups_on(quads, moved, len(same))
     surface.middles = _middles(moved, points, found.points)
     surface.quad_groups = take_cad_faces(named, surface.face_of_quad)

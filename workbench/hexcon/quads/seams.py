@@ -22,17 +22,14 @@ class Merging:
     def wanted(self, quads, notes):
         """(P,) the row that stands for each one by the tolerance asked for; adds a note. Raises ToolError
         BAD_OPTION."""
-        same = np.arange(len(self.points))
         if not self.tolerance or not np.isfinite(self.points).all():
-            return same
-        used = np.unique(quads)
-        same[used] = used[coincident(self.points[used], self.tolerance)]
-        count = int((same[used] != used).sum())
-        broken = _collapsed(same[quads])
+            return np.arange(len(self.points))
+        same, count = merged_rows(self.points, quads, self.tolerance)
+        broken = collapsed(same[quads])
         if len(broken):
             shortest = np.linalg.norm(np.subtract(*self.points[edges_of(quads)].transpose(1, 0, 2)), axis=1).min()
             raise ToolError(f"a merge tolerance of {self.tolerance:g} would merge corners of {len(broken)} quads "
-                            f"(listed); the "
+                            "(listed); the "
                             f"shortest edge is {shortest:.3g}", FaultCode.BAD_OPTION, broken)
         if count:
             notes.append(f"{count} points merged with others nearer than {self.tolerance:g}")
@@ -43,19 +40,25 @@ class Merging:
         none."""
         used = np.unique(quads)
         near = RELATIVE * float(np.linalg.norm(np.ptp(self.points[used], axis=0)))
-        same = np.arange(len(self.points))
-        same[used] = used[coincident(self.points[used], near)]
-        merged = same[used] != used
-        if not merged.any() or len(_collapsed(same[quads])):
+        same, count = merged_rows(self.points, quads, near)
+        if not count or len(collapsed(same[quads])):
             return None, ""
         apart = np.linalg.norm(self.points[used] - self.points[same[used]], axis=1).max()
         where = "at the same place" if apart == 0.0 else f"up to {apart:.2g} away"
-        return same, f"{int(merged.sum())} points merged with others {where}"
+        return same, f"{count} points merged with others {where}"
 
 
-def _collapsed(quads):
-    ranked = np.sort(quads, axis=1)
+def collapsed(cells):
+    """Rows of cells (n,k) that have one corner twice."""
+    ranked = np.sort(cells, axis=1)
     return np.flatnonzero((ranked[:, 1:] == ranked[:, :-1]).any(axis=1))
+
+
+def merged_rows(points, cells, tolerance):
+    """((P,) the row that stands for each point where coincident ones of the cells become one, how many leave)."""
+    used, same = np.unique(cells), np.arange(len(points))
+    same[used] = used[coincident(points[used], tolerance)]
+    return same, int((same != np.arange(len(points))).sum())
 
 
 def coincident(points, tolerance):
