@@ -117,7 +117,8 @@ def test_a_surface_in_unv_and_words_for_people(wedge, tmp_path):
     ("solve", "m.inp", "--fixed", "Face1", "--force", "Face2=1,2"),
     ("solve", "m.inp", "--fixed", "Face1", "--force", "Face2=0,0,nan"),
     ("solve", "m.inp", "--fixed", "Face1", "--pressure", "Face2"),
-    ("solve", "m.inp", "--fixed", "Face1", "--pressure", "Face2=inf")])
+    ("solve", "m.inp", "--fixed", "Face1", "--pressure", "Face2=inf"),
+    ("solve", "m.inp", "--fixed", "Face1", "--pressure", "Face2=1", "--merge-tolerance", "0.1")])
 def test_wrong_usage(arguments):
     done = hexcon(*arguments)
     assert done.returncode == 2 and "usage" in done.stderr and not done.stdout

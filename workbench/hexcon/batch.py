@@ -4,27 +4,16 @@ import os
 import time
 import traceback
 
-from hexcon_native import METHOD_CHOICES, check_options
+from hexcon_native import check_options
 
-from . import pillows
 from .chatter import chatter_to
 from .cli import terminal
-from .cli.arguments import (
-    CHOSEN,
-    LAYERS_HELP,
-    PAIRING_HELP,
-    PAIRINGS,
-    add_local_sizes,
-    add_order,
-    methods_help,
-    settle_order,
-)
+from .cli.arguments import add_hexes, add_surface, settle_order
 from .cli.commands import SOLID_ENDINGS, element_option, pairing_option
 from .cli.terminal import complain, say
 from .errors import FaultCode, HexconError, ToolError
 from .files import SOLVER_ENDINGS, WRITERS, check_method_for, shown, write
 from .meshing import mesh_solid
-from .quads import METHOD_TABLE as SURFACE_METHOD_TABLE
 from .topological import BY_OPTION, is_topological
 
 EXIT_DONE, EXIT_SOME_FAILED, EXIT_USAGE = 0, 1, 2
@@ -116,16 +105,8 @@ def _parser():
     parser.add_argument("--size", type=float, required=True, help="wanted edge length, mm")
     parser.add_argument("--write", action="append", choices=sorted(shown(WRITERS)),
         help="a format; may be given several times (default .inp)")
-    add_order(parser)
-    parser.add_argument("--surface-method", choices=list(SURFACE_METHOD_TABLE), default="auto",
-                        help=f"how surfaces are meshed with quads. {methods_help(SURFACE_METHOD_TABLE)}")
-    add_local_sizes(parser)
-    parser.add_argument("--method", choices=METHOD_CHOICES, default="auto",
-                        help=f"how they are filled with hexes. {methods_help(CHOSEN)}")
-    parser.add_argument("--layers", type=int, default=0, metavar="K", help=LAYERS_HELP)
-    parser.add_argument("--pillow", type=pillows.pillow_of, default="auto", metavar="auto|never|K", help=pillows.HELP)
-    parser.add_argument("--pairing", choices=PAIRINGS, default=PAIRINGS[0],
-                        help=PAIRING_HELP)
+    add_surface(parser)
+    add_hexes(parser)
     parser.add_argument("--allow-topological", action="store_true",
                         help=f"write a mesh of topology only even to {', '.join(shown(SOLVER_ENDINGS))}")
     return parser

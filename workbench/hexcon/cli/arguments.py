@@ -18,11 +18,6 @@ from . import commands, examples
 from .terminal import Parser
 
 PAIRINGS = tuple(hexcon_native.PAIRINGS)
-LAYERS_HELP = (f"at least K layers of plain hexes under the surface, for methods "
-               f"{', '.join(hexcon_native.methods_that(lambda method: method.layers))}")
-PAIRING_HELP = "topological methods: pair all quads, as few as will do, or none (default all)"
-
-
 CHOSEN = {name: hexcon_native.METHOD_TABLE[name] for name in hexcon_native.METHOD_CHOICES}
 
 
@@ -91,14 +86,14 @@ def _add_meshing(command):
     _add_solid_choice(command)
     command.add_argument("--size", type=float, metavar="H",
                          help="wanted edge length in mm; needed for solids")
-    command.add_argument("--surface-method", choices=list(SURFACE_METHOD_TABLE), default="auto",
-                         help=f"how a solid's surface is meshed with quads. {methods_help(SURFACE_METHOD_TABLE)}")
-    add_local_sizes(command)
+    add_surface(command)
     _add_filling(command)
 
 
-def add_local_sizes(command):
-    """Options of where a solid gets smaller quads; the batch has them too."""
+def add_surface(command):
+    """Options of how a solid's surface is meshed with quads, and where with smaller ones; the batch has them too."""
+    command.add_argument("--surface-method", choices=list(SURFACE_METHOD_TABLE), default="auto",
+                         help=f"how a solid's surface is meshed with quads. {methods_help(SURFACE_METHOD_TABLE)}")
     command.add_argument("--local-size", action="append", default=[], dest="local_sizes", metavar="WHERE=H",
                          help=f"a smaller edge length at a place; may be given several times. WHERE: {WAYS}")
     command.add_argument("--per-turn", type=int, default=0, metavar="N",
@@ -109,16 +104,25 @@ def add_local_sizes(command):
                               "(default: 1 in a grid; elsewhere a note tells of more)")
 
 
-def _add_filling(command, method="auto"):
-    """Options of what is filled; method: the default."""
+def add_hexes(command, method="auto"):
+    """Options of how a surface is filled with hexes; method: the default. The batch has them too."""
     command.add_argument("--method", choices=hexcon_native.METHOD_CHOICES, default=method,
                          help=f"how the surface is filled with hexes. {methods_help(CHOSEN)}")
     command.add_argument("--layers", type=int, default=0, metavar="K",
-                         help=LAYERS_HELP)
+                         help="at least K layers of plain hexes under the surface, for methods "
+                              f"{', '.join(hexcon_native.methods_that(lambda method: method.layers))}")
     command.add_argument("--pillow", type=pillows.pillow_of, default="auto", metavar="auto|never|K", help=pillows.HELP)
     command.add_argument("--pairing", choices=PAIRINGS, default=PAIRINGS[0],
-                         help=PAIRING_HELP)
-    add_order(command)
+                         help="topological methods: pair all quads, as few as will do, or none (default all)")
+    command.add_argument("--order", type=int, choices=(1, 2),
+                         help="2: mid-edge nodes, on the solid (default 1, or that of --element-type)")
+    command.add_argument("--element-type", choices=list(ELEMENT_TYPES),
+                         help="what .inp and solve get (default C3D8, of order 2 C3D20); R: reduced integration")
+
+
+def _add_filling(command, method="auto"):
+    """Options of the hexes, and of the work on them; method: the default."""
+    add_hexes(command, method)
     command.add_argument("--allow-uncertified", action="store_true",
                          help="write the best mesh found even if its certificate fails")
     command.add_argument("--allow-topological", action="store_true",
@@ -129,14 +133,6 @@ def _add_filling(command, method="auto"):
     command.add_argument("--budget", type=float, default=0.0, metavar="S",
                          help="seconds for filling: the best mesh until then is taken (default: no "
                               "limit)")
-
-
-def add_order(command):
-    """Order and type of elements; the batch has them too."""
-    command.add_argument("--order", type=int, choices=(1, 2),
-                         help="2: mid-edge nodes, on the solid (default 1, or that of --element-type)")
-    command.add_argument("--element-type", choices=list(ELEMENT_TYPES),
-                         help="what .inp and solve get (default C3D8, of order 2 C3D20); R: reduced integration")
 
 
 def settle_order(options):
@@ -253,7 +249,7 @@ def _add_solve(commands_parser):
     command.add_argument("--young", type=float, default=210000.0, help="MPa (default 210000)")
     command.add_argument("--poisson", type=float, default=0.3, help="(default 0.3)")
     command.add_argument("--ccx-timeout", type=float, default=3600.0, metavar="S")
-    _add_lengths(command, merging=True)
+    _add_lengths(command, merging=False)
     command.set_defaults(run=commands.solve)
 
 

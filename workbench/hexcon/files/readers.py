@@ -17,29 +17,24 @@ from .unv_reading import read_unv
 
 
 def _by(reader, program):
-    return functools.partial(_through, reader, program)
-
-
-def _through(reader, program, path, progress=None):
-    return contents_by(reader, path, program, progress)
+    """A library's reader, in a process that can be told to stop: callable(path, progress=...)."""
+    return functools.partial(contents_by, reader, program=program)
 
 
 def _refuse_stl(path):
     raise ToolError(f"{path}: STL holds triangles only; HexCon needs quads. Mesh the solid itself (STEP, BREP, "
-                    f".FCStd), or "
-                    "write quads from the program that made it (.obj, .ply, .msh)", FaultCode.NOT_ALL_QUAD)
+                    ".FCStd), or write quads from the program that made it (.obj, .ply, .msh)", FaultCode.NOT_ALL_QUAD)
 
 
 _VTK, _GMSH = _by("mesh", "VTK"), _by("mesh", "gmsh")
 
-# ending -> callable(path, progress) -> contents.Contents; file_worker/mesh.py says which library reads what. Readers of
-# our own take the path alone: each says why no library does.
+# ending -> callable(path) -> contents.Contents; those by _by take progress too, and file_worker/mesh.py says which library
+# reads what. Of the others each says why no library does.
 READERS = {
     ".inp": read_deck, ".unv": read_unv, ".msh": _GMSH, ".vtk": _VTK, ".vtu": _VTK, ".mesh": read_medit,
     ".obj": read_obj, ".med": _by("med", "FreeCAD"), ".fcstd": _by("document", "FreeCAD"), ".bdf": read_nastran,
     ".nas": read_nastran, ".ply": _VTK, ".off": read_off, ".exo": _VTK, ".e": _VTK, ".ex2": _VTK, ".cgns": _VTK,
     **dict.fromkeys((".vtp", ".vts", ".vtr", ".vti"), _VTK), ".stl": _refuse_stl}
-_OWN = (read_deck, read_unv, read_medit, read_obj, read_nastran, read_off, _refuse_stl)
 
 
 def read_contents(path, progress=None, *, scale=1.0, unit=None):
@@ -60,7 +55,7 @@ def read_contents(path, progress=None, *, scale=1.0, unit=None):
         progress("read", 0.0)
     reader = READERS[ending]
     with naming_faults(path):
-        found = reader(path) if reader in _OWN else reader(path, progress)
+        found = reader(path, progress=progress) if isinstance(reader, functools.partial) else reader(path)
         _check(found, path)
         _scale(found, path, scale, unit)
     return found
