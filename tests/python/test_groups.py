@@ -129,6 +129,10 @@ def test_groups_carry_loads(tmp_path, mesh):
     with pytest.raises(ToolError, match="hold, load, top only, rim") as caught:
         static_deck(back, fixed=["nothing"], force={"load": (1, 0, 0)})
     assert caught.value.code is FaultCode.BAD_OPTION
+    for mesh_of_it in (back, numbered):     # quads on no CAD face have the number 0, which is no name of them
+        with pytest.raises(ToolError, match="'Face0' names no group") as caught:
+            static_deck(mesh_of_it, fixed=["Face0"], force={"load": (1, 0, 0)})
+        assert caught.value.code is FaultCode.BAD_OPTION
     with pytest.raises(ToolError, match="no quads"):
         static_deck(back, fixed=["hold"], pressure={"rim": 1.0})
 

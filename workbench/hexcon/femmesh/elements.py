@@ -53,8 +53,7 @@ class Elements:
 
     def group_of_quad(self):
         """(n,) int64: each quad in one group: its CAD face, else the first named group that has it, else the number
-        after
-        the highest: "Boundary"."""
+        after the highest, that of "Boundary"."""
         numbers = self.face_of_quad.copy()
         highest = int(numbers.max(initial=0))
         for number, _, rows in self.named():
@@ -103,7 +102,7 @@ class Elements:
         if nodes is not None:
             return np.flatnonzero(np.isin(self.quads[:, :4], nodes).all(axis=1))
         number = _CAD_FACE.fullmatch(str(name).strip())
-        if number is None or not self.face_numbers() and int(number.group(1)) < 1:
+        if number is None or int(number.group(1)) < 1:
             raise ToolError(f"{name!r} names no group of the mesh; {self._known()}", FaultCode.BAD_OPTION)
         return self.quads_of_face(int(number.group(1)))
 
