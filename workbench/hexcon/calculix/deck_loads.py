@@ -6,21 +6,22 @@ from hexcon.errors import FaultCode, ToolError
 
 _LOADS = ("*CLOAD", "*DLOAD", "*DSLOAD", "*TEMPERATURE", "*CFLUX", "*DFLUX", "*FILM", "*RADIATE")
 # What may load a static step in a way that is not looked at, or is no static step at all.
-_OTHER = ("*INCLUDE", "*INITIAL CONDITIONS", "*PRE-TENSION SECTION", "*CONTACT PAIR",
-          "*COUPLED TEMPERATURE-DISPLACEMENT", "*UNCOUPLED TEMPERATURE-DISPLACEMENT", "*HEAT TRANSFER",
-          "*FREQUENCY", "*BUCKLE", "*DYNAMIC", "*MODAL DYNAMIC", "*STEADY STATE DYNAMICS", "*VISCO", "*GREEN",
-          "*SUBSTRUCTURE GENERATE", "*ELECTROMAGNETICS", "*CFD", "*COMPLEX FREQUENCY", "*SENSITIVITY",
-          "*CRACK PROPAGATION")
+_OTHERS = ("*INCLUDE", "*INITIAL CONDITIONS", "*PRE-TENSION SECTION", "*CONTACT PAIR",
+           "*COUPLED TEMPERATURE-DISPLACEMENT", "*UNCOUPLED TEMPERATURE-DISPLACEMENT", "*HEAT TRANSFER",
+           "*FREQUENCY", "*BUCKLE", "*DYNAMIC", "*MODAL DYNAMIC", "*STEADY STATE DYNAMICS", "*VISCO", "*GREEN",
+           "*SUBSTRUCTURE GENERATE", "*ELECTROMAGNETICS", "*CFD", "*COMPLEX FREQUENCY", "*SENSITIVITY",
+           "*CRACK PROPAGATION")
+_OTHER = re.compile(rf"(?im)^\*(?:{'|'.join(re.escape(card[1:]) for card in _OTHERS)})\b")
 
 
 def check_deck(text):
     """Raise ToolError BAD_OPTION for a deck of static steps whose loads are all zero, or that has none.
 
     Loads are forces, pressures, fluxes and temperatures that are not zero, and displacements that a step prescribes by
-    a value. Linear in what comes after the first *STEP.
+    a value. One search of the deck, and linear in what comes after the first *STEP.
     """
     step = re.search(r"(?im)^\*STEP\b", text)
-    if step is None or _has_card(text, _OTHER):
+    if step is None or _OTHER.search(text):
         return
     given = []
     for card in re.split(r"(?m)^(?=\*[^*])", re.sub(r"(?m)^\*\*.*\n?", "", text[step.start():])):
@@ -36,10 +37,6 @@ def check_deck(text):
     what = f"its {', '.join(dict.fromkeys(given))} are all zero, or empty" if given else "it has none"
     raise ToolError(f"the deck loads nothing: {what}, so that nothing would move. The nodes of a loaded face may not "
                     "have been found: see that the mesh lies on the solid", FaultCode.BAD_OPTION)
-
-
-def _has_card(text, cards):
-    return any(re.search(rf"(?im)^{re.escape(card)}\b", text) for card in cards)
 
 
 def _is_load(row, keyword):
