@@ -4,13 +4,14 @@ import os
 
 import numpy as np
 
-import hexcon_native
 from hexcon import disk
 from hexcon.errors import FaultCode, ToolError
 from hexcon.gmsh_process import run_job
 from hexcon.quads.solids import naming_file, source_of
 
-STRAIGHT, ON_FACE, ON_EDGE = 0, 1, 2     # of the worker
+from .curving_worker import ON_EDGE, ON_FACE, STRAIGHT
+from .judging import judge_again
+
 MOST_LISTED = 1000
 
 
@@ -37,11 +38,7 @@ def curve(mesh, shape_or_file, *, timeout=120.0, progress=None):
         "straight": int((on == STRAIGHT).sum()), "inner": int(found["inner"]), "reduced_count": len(reduced),
         "reduced": {int(h): float(factor[h]) for h in reduced[:MOST_LISTED]},
         **{name: float(found[name]) for name in ("volume", "cad_volume", "area", "cad_area", "chord")}}
-    if mesh.certificate is not None:
-        mesh.certificate = hexcon_native.certify(mesh.points, mesh.hexes, mesh.quads, progress=progress)
-    if mesh.quality is not None:
-        mesh.quality = hexcon_native.quality(mesh.points, mesh.hexes)
-        mesh.report["quality"] = mesh.quality.as_dict()
+    judge_again(mesh, progress)
 
 
 def _placed(mesh, shape_or_file, timeout, progress):

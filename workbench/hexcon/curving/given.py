@@ -2,10 +2,9 @@
 """Meshes of order 2 curved as a given surface is: its middle nodes are kept, certified."""
 import numpy as np
 
-import hexcon_native
-
 from .curving_worker.boundary_edges import BoundaryEdges
 from .curving_worker.unfolding import unfolded
+from .judging import judge_again
 
 _ROUNDING = 1e-14
 
@@ -35,8 +34,4 @@ def curve_as_given(mesh, ends, middles, progress=None):
     kept = off <= _ROUNDING * np.abs(middles).max(initial=0)
     mesh.points[nodes[kept]] = middles[there][kept]     # bit for bit
     mesh.report["curved as given"] = {"edges": int(there.sum()), "reduced": int((found.factor < 1.0).sum())}
-    if mesh.certificate is not None:
-        mesh.certificate = hexcon_native.certify(mesh.points, mesh.hexes, mesh.quads)
-    if mesh.quality is not None:
-        mesh.quality = hexcon_native.quality(mesh.points, mesh.hexes)
-        mesh.report["quality"] = mesh.quality.as_dict()
+    judge_again(mesh, progress)

@@ -3,9 +3,9 @@
 import numpy as np
 from gmsh_worker.grid.carriers import curve_carrier, surface_carrier
 
+from . import ON_EDGE, ON_FACE, STRAIGHT
 from .curve_points import CurvePoints
 
-STRAIGHT, ON_FACE, ON_EDGE = 0, 1, 2     # what becomes of an edge's middle
 ALONG = 1e-3        # of its length: how far its ends may be off the CAD edge that it runs along
 FARTHEST = 0.55     # of its length: how far its middle may move; half of it for half a circle
 
