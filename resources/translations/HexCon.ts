@@ -1280,7 +1280,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Read the quads of a mesh file: .msh .inp .unv .vtk .vtu .obj .mesh</source>
+        <source>Read the quads of a mesh file, of gmsh, Abaqus, Nastran, Medit, VTK and other programs</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

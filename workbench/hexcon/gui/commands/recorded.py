@@ -30,9 +30,10 @@ def run_recorded(call, arguments):
 
 
 class CallCommand(PanelCommand):
-    """A command without a panel: one recorded call about the selected object."""
+    """A command without a panel: one recorded call about the selected hex mesh."""
 
     call = ""  # a name in hexcon.gui.actions
+    selected = staticmethod(selected_hex_mesh)
 
     def Activated(self):
         if core_is_there():
@@ -43,40 +44,37 @@ class CallCommand(PanelCommand):
 class Quality(CallCommand):
     """Makes a quality report about the selected mesh."""
 
-    name, call, icon = "HexCon_Quality", "make_quality_report", "HexCon_Quality.svg"
+    name, call = "HexCon_Quality", "make_quality_report"
     menu_text = QT_TRANSLATE_NOOP("HexCon_Quality", "Quality report")
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_Quality", "An object with the least, 5 % and mean scaled Jacobian of the selected FEM "
         "mesh, its worst elements and its certificate; it follows the mesh")
-    selected = staticmethod(selected_hex_mesh)
 
 
 class Repair(CallCommand):
     """Makes a repaired mesh beside the selected one."""
 
-    name, call, icon = "HexCon_Repair", "repair_hex_mesh", "HexCon_Repair.svg"
+    name, call = "HexCon_Repair", "repair_hex_mesh"
     menu_text = QT_TRANSLATE_NOOP("HexCon_Repair", "Repair hex mesh")
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_Repair", "Another mesh beside the selected one: hexes in reversed node order turned, unused points "
         "dropped, inverted hexes untangled; its boundary and groups stay")
-    selected = staticmethod(selected_hex_mesh)
 
 
 class IntoAnalysis(CallCommand):
     """Puts the selected mesh into an analysis."""
 
-    name, call, icon = "HexCon_IntoAnalysis", "into_analysis", "HexCon_IntoAnalysis.svg"
+    name, call = "HexCon_IntoAnalysis", "into_analysis"
     menu_text = QT_TRANSLATE_NOOP("HexCon_IntoAnalysis", "Into analysis")
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_IntoAnalysis", "Put the selected hex mesh into the active analysis of the FEM workbench, "
         "or make one with a CalculiX solver, steel, and constraints to fill in")
-    selected = staticmethod(selected_hex_mesh)
 
 
 class Export(PanelCommand):
     """Writes the selected mesh into a file."""
 
-    name, icon = "HexCon_Export", "HexCon_Export.svg"
+    name = "HexCon_Export"
     menu_text = QT_TRANSLATE_NOOP("HexCon_Export", "Export hex mesh")
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_Export", "Write the selected hex mesh, with its face groups, into a file for a solver or another "
@@ -88,7 +86,7 @@ class Export(PanelCommand):
             from hexcon.files import WRITERS
             mesh = self.selected()
             path, _ = QtGui.QFileDialog.getSaveFileName(
-                FreeCADGui.getMainWindow(), translate("HexCon", self.menu_text), "",
+                FreeCADGui.getMainWindow(), translate(self.name, self.menu_text), "",
                 translate("HexCon", "Meshes ({endings})").format(
                     endings=" ".join(f"*{ending}" for ending in WRITERS if ending != ".fcstd")))
             if path:
@@ -98,10 +96,10 @@ class Export(PanelCommand):
 class Import(PanelCommand):
     """Reads quads from a file."""
 
-    name, icon = "HexCon_Import", "HexCon_Import.svg"
+    name = "HexCon_Import"
     menu_text = QT_TRANSLATE_NOOP("HexCon_Import", "Import quad surface")
     tool_tip = QT_TRANSLATE_NOOP(
-        "HexCon_Import", "Read the quads of a mesh file: .msh .inp .unv .vtk .vtu .obj .mesh")
+        "HexCon_Import", "Read the quads of a mesh file, of gmsh, Abaqus, Nastran, Medit, VTK and other programs")
 
     def IsActive(self):
         return not FreeCADGui.Control.activeDialog()
@@ -111,7 +109,7 @@ class Import(PanelCommand):
             from hexcon.quads.files import MESH_ENDINGS
             endings = " ".join(f"*{ending}" for ending in MESH_ENDINGS)
             path, _ = QtGui.QFileDialog.getOpenFileName(
-                FreeCADGui.getMainWindow(), translate("HexCon", self.menu_text), "",
+                FreeCADGui.getMainWindow(), translate(self.name, self.menu_text), "",
                 translate("HexCon", "Meshes ({endings})").format(endings=endings))
             if path:
                 run_recorded("import_quad_surface", repr(path))

@@ -16,12 +16,14 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 class PanelCommand:
     """What they share: a panel for the one selected object."""
 
-    name = menu_text = tool_tip = icon = ""
+    name = menu_text = tool_tip = ""
+    icon = ""        # of another name than the command
     selected = None  # function: the object the command is for, or None
     panel = None     # function of that object: a task panel, imported as late as this
 
     def GetResources(self):
-        return {"MenuText": self.menu_text, "ToolTip": self.tool_tip, "Pixmap": icon_path(self.icon)}
+        return {"MenuText": self.menu_text, "ToolTip": self.tool_tip,
+                "Pixmap": icon_path(self.icon or f"{self.name}.svg")}
 
     def IsActive(self):
         return not FreeCADGui.Control.activeDialog() and self.selected() is not None
@@ -39,7 +41,6 @@ class MeshSolid(PanelCommand):
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_MeshSolid", "Fill the selected solid with certified hexahedra for the FEM "
         "workbench: select one object with one solid, or a face of it")
-    icon = "HexCon_MeshSolid.svg"
     selected = staticmethod(selected_solid)
 
     def panel(self, solid):
@@ -55,7 +56,6 @@ class Check(PanelCommand):
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_Check", "Prove that every hexahedron of the selected FEM mesh is valid, or show "
         "those that are not")
-    icon = "HexCon_Check.svg"
     selected = staticmethod(selected_hex_mesh)
 
     def panel(self, mesh_object):
@@ -71,7 +71,6 @@ class Inspect(PanelCommand):
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_Inspect", "Look into the selected FEM mesh: cut it, peel layers off, see the scaled "
         "Jacobians and the worst hexahedra")
-    icon = "HexCon_Inspect.svg"
     selected = staticmethod(selected_hex_mesh)
 
     def panel(self, mesh_object):
@@ -87,7 +86,6 @@ class Loops(PanelCommand):
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_Loops", "Draw the dual loops of the selected quad surface, or of the boundary of the "
         "selected hex mesh, and where they cross themselves")
-    icon = "HexCon_Loops.svg"
     selected = staticmethod(selected_quads)
 
     def panel(self, mesh_object):
@@ -103,7 +101,6 @@ class QuadSurface(PanelCommand):
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_QuadSurface", "Mesh the surface of the selected solid with quads, or take the quads "
         "of the selected FEM mesh; see them before they are made")
-    icon = "HexCon_QuadSurface.svg"
     selected = staticmethod(selected_mesh_source)
 
     def panel(self, source):
@@ -119,7 +116,6 @@ class HexMesh(PanelCommand):
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_HexMesh", "Fill the selected quad surface with certified hexahedra whose boundary is "
         "exactly its quads")
-    icon = "HexCon_HexMesh.svg"
     selected = staticmethod(selected_quad_surface)
 
     def panel(self, surface):
@@ -135,7 +131,6 @@ class Solve(PanelCommand):
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_Solve", "Click a face that is held and one that is loaded; CalculiX solves, and the "
         "displacements are shown")
-    icon = "HexCon_Solve.svg"
     selected = staticmethod(selected_hex_mesh)
 
     def panel(self, mesh_object):
