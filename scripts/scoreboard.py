@@ -14,12 +14,11 @@ page's table, medians and picture from the result file.
 import argparse
 import json
 import os
-import resource
 import sys
 import time
 from concurrent import futures
 
-from measuring import already, in_a_child, keep
+from measuring import already, in_a_child, judged, keep, processor_seconds
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 GRACE = 3.0     # times the limit, in processor seconds: what a signal ends, should the budget not have ended it before
@@ -33,30 +32,15 @@ def measured(path, limit):
     import hexcon_native as hn
     with np.load(path, allow_pickle=False) as arrays:
         points, quads = arrays["points"].astype(float), arrays["quads"].astype(np.int64)
-    found, before = {"quads": len(quads)}, _processor_seconds()
+    found, before = {"quads": len(quads)}, processor_seconds()
     try:
         facts = hn.check_surface(points, quads)
         found |= {"genus": int(facts.genus), "cavities": int(facts.cavities)}
         mesh = hexcon.mesh_surface(points, quads, threads=1, budget=limit * _busy())
     except hexcon.HexconError as error:
-        return found | {"code": error.code.name, "message": str(error)[:300], "seconds": _processor_seconds() - before}
-    found["seconds"] = _processor_seconds() - before
-    return found | _judged(mesh, points, quads)
-
-
-def _judged(mesh, points, quads):
-    import mesh_checker
-    faults = mesh_checker.faults(mesh.points, mesh.hexes, quads, points)
-    return {"code": "CERTIFIED" if mesh.certificate.certified and not faults else "NOT_CONFIRMED",
-            "message": "; ".join(faults)[:300], "method": mesh.method, "hexes": len(mesh.hexes),
-            "min": mesh.quality.min, "q05": mesh.quality.q05, "mean": mesh.quality.mean,
-            "log": [str(line) for line in mesh.report.get("log", [])]}
-
-
-def _processor_seconds():
-    """Of this process and of the children that it has waited for (gmsh)."""
-    return sum(used.ru_utime + used.ru_stime
-               for used in map(resource.getrusage, (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)))
+        return found | {"code": error.code.name, "message": str(error)[:300], "seconds": processor_seconds() - before}
+    found["seconds"] = processor_seconds() - before
+    return found | judged(mesh, points, quads)
 
 
 def _busy():

@@ -12,11 +12,10 @@ of the result file is kept: a run that was stopped goes on where it was; remove 
 import argparse
 import json
 import os
-import resource
 import statistics
 import sys
 
-from measuring import already, failures, in_a_child, keep
+from measuring import already, failures, in_a_child, judged, keep, processor_seconds
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 ENDINGS = (".step", ".stp", ".brep", ".brp")
@@ -33,7 +32,9 @@ def measured(path, options):
                                  timeout=options.timeout)
     except hexcon.HexconError as error:
         return found | {"code": error.code.name, "message": str(error)[:2000]}
-    return found | _judged(mesh)
+    surface = mesh.surface
+    return found | judged(mesh, surface.points, surface.quads) | {
+        "surface": surface.method, "quads": len(surface.quads), "nodes": len(mesh.points), "notes": list(surface.notes)}
 
 
 def _area(path):
@@ -55,31 +56,15 @@ def _area(path):
         gmsh.finalize()
 
 
-def _judged(mesh):
-    import mesh_checker
-    surface = mesh.surface
-    faults = mesh_checker.faults(mesh.points, mesh.hexes, surface.quads, surface.points)
-    return {"code": "CERTIFIED" if mesh.certificate.certified and not faults else "NOT_CONFIRMED",
-            "message": "; ".join(faults)[:300], "surface": surface.method, "method": mesh.method,
-            "quads": len(surface.quads), "hexes": len(mesh.hexes), "nodes": len(mesh.points), "min": mesh.quality.min,
-            "q05": mesh.quality.q05, "mean": mesh.quality.mean, "notes": list(surface.notes),
-            "log": [str(line) for line in mesh.report.get("log", [])]}
-
-
 def in_its_own_process(path, options):
     command = [sys.executable, __file__, path, "--one", "--surface-method", options.surface_method, "--method",
                options.method, "--quads", str(options.quads), "--limit", str(options.limit),
                "--timeout", str(options.timeout)]
     if options.size:
         command += ["--size", str(options.size)]
-    before = _seconds()
+    before = processor_seconds()
     found = in_a_child(command, processor=options.limit)
-    return {"file": os.path.basename(path), "seconds": _seconds() - before, **found}
-
-
-def _seconds():
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
+    return {"file": os.path.basename(path), "seconds": processor_seconds() - before, **found}
 
 
 def line_of(found):

@@ -8,11 +8,8 @@ nodes: of compliance (energy, and displacement of the load), and of stress, the 
 inside, a size away from the held and the loaded face, over that of the stress. A body's line of the result file is
 kept; remove the file to measure anew.
 """
-import argparse
-import json
 import os
 import sys
-import tempfile
 
 import numpy as np
 
@@ -20,7 +17,7 @@ sys.path[:0] = [os.path.dirname(os.path.dirname(os.path.abspath(__file__)))]
 
 from bodies import BODIES, face_at, made  # noqa: E402
 from measured import fem_rows  # noqa: E402
-from measuring import already, keep  # noqa: E402
+from measuring import table_of_bodies  # noqa: E402
 from static import Model  # noqa: E402
 from tetrahedra import tetrahedra  # noqa: E402
 
@@ -120,19 +117,5 @@ def places_inside(reference, away):
     return places[:PLACES]
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--body", nargs="+", choices=BODIES, default=FEM_BODIES)
-    parser.add_argument("--result", default="output/fem.jsonl")
-    options = parser.parse_args()
-    known = already(options.result, "body")
-    for name in options.body:
-        if name not in known:
-            with tempfile.TemporaryDirectory() as folder:
-                known[name] = measured(name, folder)
-            keep(options.result, known[name])
-        print(*fem_rows([json.dumps(known[name])])[2:], sep="\n", flush=True)
-
-
 if __name__ == "__main__":
-    main()
+    table_of_bodies(__doc__, BODIES, FEM_BODIES, "output/fem.jsonl", measured, fem_rows)

@@ -9,13 +9,9 @@ boundary points lie from the solid (in sizes), what part of the length of the so
 mesh along it, processor seconds. snappyHexMesh is left out where it is not installed. A body's line of the result
 file is kept.
 """
-import argparse
-import json
 import os
-import resource
 import subprocess
 import sys
-import tempfile
 
 import numpy as np
 
@@ -25,7 +21,7 @@ from bodies import BODIES, made  # noqa: E402
 from fem_table import like  # noqa: E402
 from fit import distances, share_of_edges  # noqa: E402
 from measured import mesher_rows  # noqa: E402
-from measuring import already, keep  # noqa: E402
+from measuring import processor_seconds, table_of_bodies  # noqa: E402
 from snappy import is_installed, snappy  # noqa: E402
 
 import hexcon  # noqa: E402
@@ -69,26 +65,21 @@ class Made:
 
 
 def by_grid(path, size):
-    start = _seconds()
+    start = processor_seconds()
     mesh = hexcon.mesh_solid(path, size, surface_method="grid", threads=1)
-    return Made(mesh.points, mesh.hexes, seconds=_seconds() - start)
+    return Made(mesh.points, mesh.hexes, seconds=processor_seconds() - start)
 
 
 def by_gmsh(path, size, folder):
-    result, start = os.path.join(folder, "hexes.npz"), _seconds()
+    result, start = os.path.join(folder, "hexes.npz"), processor_seconds()
     subprocess.run([gmsh_python(), "-c", _GMSH, path, str(size), result], check=True, stdout=subprocess.DEVNULL)
     with np.load(result) as found:
-        return Made(found["points"], found["hexes"], int(found["others"]), seconds=_seconds() - start)
+        return Made(found["points"], found["hexes"], int(found["others"]), seconds=processor_seconds() - start)
 
 
 def by_snappy(shape, size, folder, level):
-    start = _seconds()
-    return Made(**snappy(shape, size, folder, level), seconds=_seconds() - start)
-
-
-def _seconds():
-    return sum(used.ru_utime + used.ru_stime
-               for used in map(resource.getrusage, (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)))
+    start = processor_seconds()
+    return Made(**snappy(shape, size, folder, level), seconds=processor_seconds() - start)
 
 
 def measured(name, folder):
@@ -113,19 +104,5 @@ def judged(mesh, shape, size):
             "seconds": mesh.seconds}
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--body", nargs="+", choices=BODIES, default=list(BODIES))
-    parser.add_argument("--result", default="output/meshers.jsonl")
-    options = parser.parse_args()
-    known = already(options.result, "body")
-    for name in options.body:
-        if name not in known:
-            with tempfile.TemporaryDirectory() as folder:
-                known[name] = measured(name, folder)
-            keep(options.result, known[name])
-        print(*mesher_rows([json.dumps(known[name])])[2:], sep="\n", flush=True)
-
-
 if __name__ == "__main__":
-    main()
+    table_of_bodies(__doc__, BODIES, list(BODIES), "output/meshers.jsonl", measured, mesher_rows)
