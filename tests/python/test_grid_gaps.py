@@ -4,13 +4,15 @@ import numpy as np
 import pytest
 
 import hexcon_native as hn
+from hexcon.quads.gmsh_worker.grid.captured import NotCaptured
 from hexcon.quads.gmsh_worker.grid.cells_to_split import for_gaps
 from hexcon.quads.gmsh_worker.grid.gaps import KINDS, gaps_of
-from hexcon.quads.gmsh_worker.grid.overlay import Work, _captured as captured
+from hexcon.quads.gmsh_worker.grid.overlay import Work, _captured as captured, overlay
 from hexcon.quads.gmsh_worker.grid.placement import placed
 from hexcon.quads.gmsh_worker.grid.planes import planes_of
 from hexcon.quads.gmsh_worker.grid.sheet_plan import sheeted
 from hexcon.quads.gmsh_worker.grid.sliding import Sliding
+from hexcon.quads.gmsh_worker.size_field import SizeField
 
 
 def block(occ):
@@ -65,6 +67,13 @@ def test_planes_on_walls_need_no_splits(features):
     planes = planes_of(shape, np.eye(3), 1.0)
     wanted, left = for_gaps(planes, gaps_of(shape, 1.0), 1.0)
     assert sum(map(len, wanted)) == 0 and len(left) == 0
+
+
+@pytest.mark.parametrize("sizes", [None, SizeField(1.0, [[0, 0, 0]], [0.4])])
+def test_without_narrow_places_no_grid_is_made_for_them(features, sizes):
+    """It would be the grid of the try before, whatever sizes are wanted."""
+    with pytest.raises(NotCaptured, match="nothing narrower"):
+        overlay(features(block, 1.0), 1.0, Work(), levels=1, sizes=sizes)
 
 
 def test_a_thin_wall_across_the_grid_is_captured(features):

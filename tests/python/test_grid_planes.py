@@ -5,7 +5,8 @@ import pytest
 
 from hexcon.quads.gmsh_worker.grid.axes import axes_of
 from hexcon.quads.gmsh_worker.grid.gate import Kept, kept
-from hexcon.quads.gmsh_worker.grid.planes import grid_hexes, planes_of
+from hexcon.quads.gmsh_worker.grid.planes import planes_of
+from hexcon.quads.gmsh_worker.grid.tensor_grid import grid_hexes
 from hexcon.quads.gmsh_worker.grid.too_small import too_small
 
 
@@ -48,7 +49,7 @@ def test_round_holes(features, radius, size):
 
 def test_the_grids_hexes():
     planes = [np.array([0.0, 1.0, 3.0]), np.array([-1.0, 0.0]), np.array([2.0, 2.5, 4.0, 5.0])]
-    points, hexes = grid_hexes(planes, np.eye(3))
+    points, hexes = grid_hexes(planes)
     assert points.shape == (24, 3) and hexes.shape == (6, 8)
     p = points[hexes]
     volume = np.einsum("hi,hi->h", p[:, 1] - p[:, 0], np.cross(p[:, 3] - p[:, 0], p[:, 4] - p[:, 0]))

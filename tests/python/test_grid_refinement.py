@@ -7,7 +7,7 @@ from mesh_checker import conformity_faults, euler, improper_pairs, nonpositive, 
 
 import hexcon_native as hn
 from hexcon.quads.gmsh_worker.grid.cells import cells
-from hexcon.quads.gmsh_worker.grid.cells_to_split import for_field, for_gaps, indices
+from hexcon.quads.gmsh_worker.grid.cells_to_split import for_field, for_gaps
 from hexcon.quads.gmsh_worker.grid.fullness import fullness
 from hexcon.quads.gmsh_worker.grid.gaps import KINDS, Gaps
 from hexcon.quads.gmsh_worker.grid.grid_levels import balanced_levels
@@ -15,6 +15,7 @@ from hexcon.quads.gmsh_worker.grid.hex_neighbours import HexNeighbours
 from hexcon.quads.gmsh_worker.grid.pillow_groups import pillow_groups
 from hexcon.quads.gmsh_worker.grid.refined_grid import refined_grid
 from hexcon.quads.gmsh_worker.grid.solid_rays import SolidRays
+from hexcon.quads.gmsh_worker.grid.tensor_grid import indices, places
 from hexcon.quads.gmsh_worker.size_field import SizeField
 
 LEAST = 0.25      # scaled Jacobian that is promised on even planes
@@ -182,4 +183,5 @@ def test_narrow_places_are_split_until_they_are_wide():
 def test_indices_are_of_the_snapped_grid():
     planes = [np.array([0.0, 1, 3, 4]), np.array([0.0, 2]), np.array([5.0, 6])]
     assert indices(planes, np.array([[2.0, 1, 5], [3.5, 2, 6]])).tolist() == [[1.5, 0.5, 0], [2.5, 1, 1]]
+    assert places(planes, np.array([[1.5, 0.5, 0], [2.5, 1, 1]])).tolist() == [[2.0, 1, 5], [3.5, 2, 6]]
     assert len(box((0, 0, 0), (1, 1, 1))[1]) == 12

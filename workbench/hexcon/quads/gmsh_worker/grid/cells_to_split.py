@@ -5,17 +5,13 @@ import numpy as np
 from .fullness import fullness
 from .gaps import KINDS
 from .grid_levels import AROUND
+from .tensor_grid import indices, places
 
 LEVELS = 3          # splits at most, one in the other
 APART = {"wall": 1.5, "slot": 1.5, "curves": 1.3, "curve and face": 1.3, "short curve": 1.0, "hole": 1.5}
 """Cells that must lie between two places, by kind of gap."""
 ON_PLANE = 0.05     # of a cell: how near a place must be to a plane to count as on it
 SLIVER = 0.05       # of the size: gaps narrower than this are left alone
-
-
-def indices(planes, points):
-    """(n, 3) places in numbers of cells: 2.5 is the middle between planes 2 and 3."""
-    return np.stack([np.interp(points[:, k], planes[k], np.arange(len(planes[k]))) for k in range(3)], axis=1)
 
 
 def for_gaps(planes, gaps, size, levels=LEVELS):
@@ -53,7 +49,7 @@ def for_field(planes, field, solid=None, levels=LEVELS):
     cells = np.stack(np.unravel_index(np.arange(np.prod(shape)), shape), axis=1)
     wanted = []
     for level in range(levels):
-        corners = np.stack([_at(planes, (cells + t) / 2 ** level) for t in _PROBES], axis=1)
+        corners = np.stack([places(planes, (cells + t) / 2 ** level) for t in _PROBES], axis=1)
         longest = np.ptp(corners, axis=1).max(axis=1)
         sizes = field(corners.reshape(-1, 3)).reshape(len(cells), len(_PROBES)).min(axis=1)
         large = np.flatnonzero(longest > sizes * (1 + 1e-9))
@@ -74,7 +70,3 @@ def joined(one, other):
 _HALVES = np.stack(np.meshgrid(*[[0, 1]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
 _VTK = [0, 4, 6, 2, 1, 5, 7, 3]     # of _HALVES, in the order of a hex's corners
 _PROBES = np.vstack([_HALVES, [[0.5, 0.5, 0.5]]])
-
-
-def _at(planes, index):
-    return np.stack([np.interp(index[:, k], np.arange(len(planes[k])), planes[k]) for k in range(3)], axis=1)

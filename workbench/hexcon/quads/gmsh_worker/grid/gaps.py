@@ -108,7 +108,7 @@ class Samples:
         return rows, found[rows, columns]
 
 
-def _nearest_of(rows, gap, count):
+def _nearest_of(rows, gap):
     """Of pairs with these rows the index of the one with the least gap for each row that has any."""
     order = np.lexsort((gap, rows))
     first = np.ones(len(order), bool)
@@ -126,7 +126,7 @@ def _between_sides(surface, h, inward, kind):
     keep = (along > STRAIGHT * gap) & (gap > 0)
     keep &= (surface.normals[rows] * surface.normals[other]).sum(axis=1) < OPPOSITE
     rows, other, gap = rows[keep], other[keep], gap[keep]
-    best = _nearest_of(rows, gap, len(surface.points))
+    best = _nearest_of(rows, gap)
     return surface.points[rows[best]], surface.points[other[best]], np.full(len(best), kind)
 
 
@@ -141,7 +141,7 @@ def _between_curves(features, curves, h):
     for side in (rows, other):          # not round a corner: straight across from both
         keep &= np.abs((way * curves.normals[side]).sum(axis=1)) < SLANT * gap
     rows, other = rows[keep], other[keep]
-    best = _nearest_of(rows, np.linalg.norm(curves.points[rows] - curves.points[other], axis=1), len(curves.points))
+    best = _nearest_of(rows, np.linalg.norm(curves.points[rows] - curves.points[other], axis=1))
     return curves.points[rows[best]], curves.points[other[best]], np.full(len(best), 2)
 
 
@@ -160,7 +160,7 @@ def _curves_to_faces(features, curves, surface, h):
     keep &= np.abs((way * surface.normals[other]).sum(axis=1)) > STRAIGHT * gap
     keep &= np.abs((way * curves.normals[rows]).sum(axis=1)) < SLANT * gap
     rows, other = rows[keep], other[keep]
-    best = _nearest_of(rows, np.linalg.norm(curves.points[rows] - surface.points[other], axis=1), len(curves.points))
+    best = _nearest_of(rows, np.linalg.norm(curves.points[rows] - surface.points[other], axis=1))
     return curves.points[rows[best]], surface.points[other[best]], np.full(len(best), 3)
 
 

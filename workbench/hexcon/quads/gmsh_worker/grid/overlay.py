@@ -16,20 +16,20 @@ from .gaps import gaps_of
 from .gate import Kept, kept
 from .grid_levels import balanced_levels, padded
 from .hex_neighbours import HexNeighbours
-from .placement import placed
-from .planes import grid_hexes, planes_of
+from .placement import STRUCTURED, placed
+from .planes import planes_of
 from .refined_grid import refined_grid
 from .sheet_plan import sheeted
 from .sheets import Pinched
 from .sliding import Sliding
 from .solid_rays import SolidRays
+from .tensor_grid import grid_hexes
 
 MOST_CELLS = 3_000_000      # of a grid: what fits into a gigabyte
 GOOD = 0.2              # least scaled Jacobian with which nothing else is tried,
 ENOUGH = 0.3            # and above which what counts is the mean
 MOST_REFINED = 200_000      # and of one whose cells are split
 LONGEST = 1.5           # of the size: edges of cells up to which they are not split, as even steps between planes are
-FINE = 0.95                 # least scaled Jacobian of first places that are taken as they are
 MOST_FOLDED, OF_FOLDED = 12, 0.002   # hexes, or part of them: with more left folded, passes over them are lost time
 MOST_CROSSINGS = 12         # pairs of quads: with more, polish is lost time
 MOST_SETS = 2               # of cells with the solid's topology that are tried
@@ -187,16 +187,18 @@ def _grid(features, frame, h, levels, sizes, rays):
         raise NotCaptured("size", f"{count:.2g} cells; at most {MOST_CELLS:.2g} are laid")
     even = sizes is None or sizes.even
     if not levels and even:
-        return grid_hexes(planes, frame)
+        points, hexes = grid_hexes(planes)
+        return points @ frame, hexes
     planes = padded(planes)
     wanted = [] if even else for_field(planes, lambda at: LONGEST * h / sizes.size * sizes(at @ frame), rays)
     if levels:
-        gaps = gaps_of(features, h).turned(frame)
-        wanted = joined(wanted, for_gaps(planes, gaps, h, levels)[0])
+        narrow, _ = for_gaps(planes, gaps_of(features, h).turned(frame), h, levels)
+        if not any(map(len, narrow)):
+            raise NotCaptured("size", "nothing narrower than the elements, where cells could be split")
+        wanted = joined(wanted, narrow)
     blocks, dropped = balanced_levels([len(p) - 1 for p in planes], wanted, MOST_REFINED)
-    if (not blocks and (levels or dropped)) or (dropped and not even):
-        raise NotCaptured("size", f"more than {MOST_REFINED} hexes, were cells split" if dropped else
-                          "nothing narrower than the elements, where cells could be split")
+    if dropped and not (even and blocks):
+        raise NotCaptured("size", f"more than {MOST_REFINED} hexes, were cells split")
     points, hexes = refined_grid(planes, blocks)
     return points @ frame, hexes
 
@@ -206,7 +208,7 @@ def _in_place(mesh, features, sliding):
     that are good enough are taken as they are: blocky parts stay on the grid. Passes over what stays folded are few:
     they seldom help later."""
     start = placed(mesh, features, sliding)
-    if hn.quality(start, mesh.hexes).min >= FINE:
+    if hn.quality(start, mesh.hexes).min >= STRUCTURED:
         return start, True
     return _unfolded(sliding.relax(start, (True,), threads=1), mesh, sliding), False
 

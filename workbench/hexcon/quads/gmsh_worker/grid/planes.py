@@ -22,16 +22,6 @@ def planes_of(features, frame, h):
     return [_planes(points[:, k].min(), points[:, k].max(), hard[k], soft[k], h) for k in range(3)]
 
 
-def grid_hexes(planes, frame):
-    """(points (P,3) of the world, hexes (H,8)): all cells, the last axis fastest."""
-    shape = [len(p) for p in planes]
-    points = np.stack(np.meshgrid(*planes, indexing="ij"), -1).reshape(-1, 3) @ frame
-    i, j, k = np.meshgrid(*[np.arange(n - 1) for n in shape], indexing="ij")
-    first = ((i * shape[1] + j) * shape[2] + k).ravel()
-    x, y = shape[1] * shape[2], shape[2]
-    return points, first[:, None] + np.array([0, x, x + y, y, 1, x + 1, x + y + 1, y + 1])
-
-
 def _planes(low, high, hard, soft, h):
     found = _merged(hard, NEAR * h)
     for end in (low, high):     # a curved end: a plane that touches it

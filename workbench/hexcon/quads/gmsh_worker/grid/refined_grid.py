@@ -12,17 +12,18 @@ from scipy.sparse import coo_matrix
 
 import hexcon_native as hn
 
+from .captured import EDGES
 from .grid_levels import cells_round
 from .hex_neighbours import FACES
 from .pillow_groups import pillow_groups
+from .tensor_grid import grid_hexes, places
 
 SWEEPS = 3          # over the points of transitions: edges' other ends averaged
 POOR = 0.3          # scaled Jacobian below which a transition's hex is mended by optimisation
 RINGS = 2           # of hexes round a poor one that move along
-EDGES = np.array([[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4], [0, 4], [1, 5], [2, 6], [3, 7]])
 
 
-def refined_grid(planes, levels, report=lambda fraction: None):
+def refined_grid(planes, levels):
     """(points (P, 3), hexes (H, 8)) of the grid with these planes, in the planes' coordinates.
 
     planes: three ascending arrays; levels: for each level the blocks (n, 3) of two cells each way that are split, as
@@ -30,27 +31,17 @@ def refined_grid(planes, levels, report=lambda fraction: None):
     face is shared as a whole; no hex is folded (checked; else ValueError). Linear, but for sorting.
     """
     shape = np.array([len(p) - 1 for p in planes])
-    points, hexes = _grid(shape)
+    points, hexes = grid_hexes([np.arange(n + 1.0) for n in shape])
     exact = np.ones(len(points), bool)
     cell = np.stack(np.unravel_index(np.arange(len(hexes)), shape), axis=1)
     for level, blocks in enumerate(levels):
-        report(level / max(len(levels), 1))
         points, hexes, cell = _split(points, hexes, cell, blocks, shape * 2 ** level, level)
         exact = np.append(exact, np.zeros(len(points) - len(exact), bool))
         exact[hexes[cell[:, 0] >= 0]] = True
     if levels:
         points = _smoothed(points, hexes, exact, shape)
-    points = np.stack([np.interp(points[:, k], np.arange(len(planes[k])), planes[k]) for k in range(3)], axis=1)
+    points = places(planes, points)
     return (_mended(points, hexes, exact) if levels else points), hexes
-
-
-def _grid(shape):
-    """Points at whole numbers, and the cells."""
-    points = np.stack(np.unravel_index(np.arange(np.prod(shape + 1)), shape + 1), axis=1).astype(float)
-    i, j, k = np.unravel_index(np.arange(np.prod(shape)), shape)
-    x, y = (shape[1] + 1) * (shape[2] + 1), shape[2] + 1
-    first = i * x + j * y + k
-    return points, first[:, None] + np.array([0, x, x + y, y, 1, x + 1, x + y + 1, y + 1])
 
 
 def _split(points, hexes, cell, blocks, shape, level):

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import hexcon_native as hn
 
 from ..fault import WorkerFault
+from ..size_field import SizeField
 from .captured import NotCaptured
 from .cells_to_split import LEVELS
 from .features import EVERY_EDGE, SMOOTH, Cad, Features
@@ -45,12 +46,13 @@ def grid_surface(solid, size, link, timeout, sizes=None, care=0):
     """Quads on the solid and hexes inside, of a grid laid over it.
 
     timeout: seconds for all of the surface, of which others may need a part
-    sizes: the SizeField wanted, None: of one size
+    sizes: the SizeField wanted; None: of one size
     care: above 0 another size was tried before, and all of TRIES with it: it is refused at once
     Returns a dict of points (V,3), quads (n,4), faces (n,), hexes (H,8) and notes. Raises WorkerFault NOT_GRIDDED.
     """
     if care:
         raise WorkerFault("NOT_GRIDDED", "a grid was tried at larger sizes, down to parts of this one")
+    sizes = SizeField(size) if sizes is None else sizes
     link.progress("features", 0.0)
     link.patience = MOST * timeout
     if not link.risk("grid"):
@@ -64,7 +66,7 @@ def grid_surface(solid, size, link, timeout, sizes=None, care=0):
     tries.faults += [small] if small else []
     if tries.best is None:
         raise WorkerFault("NOT_GRIDDED", "; ".join(tries.faults), faces)
-    if sizes is not None and sizes.least < size / 2 ** LEVELS / LONGEST:
+    if sizes.least < size / 2 ** LEVELS / LONGEST:
         tries.faults.append(f"cells are split {LEVELS} times at most: sizes below {size / 2 ** LEVELS:.3g} are not "
                             "reached")
     counted = quad_count_words(len(tries.best[0].mesh.quads), sharp, size, sizes)
