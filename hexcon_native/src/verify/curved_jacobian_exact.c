@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
 #include "curved_jacobian_exact.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
@@ -28,20 +27,6 @@ static const int strides[3] = {36, 6, 1};
 
 size_t exact_curved_room(void) {
   return sizeof(exact_room);
-}
-
-/** Each coordinate times a power of two of its own, which leaves the sign of the Jacobian. Returns
- * whether that is exact: not where a coordinate becomes subnormal. */
-static bool scale_nodes(double nodes[20][3], double scaled[20][3]) {
-  bool exact = true;
-  for (int c = 0; c < 3; c++) {
-    const double scale = exact_scale(&nodes[0][c], 3, 20);
-    for (int n = 0; n < 20; n++) {
-      scaled[n][c] = nodes[n][c] * scale;
-      exact &= isfinite(scaled[n][c]) && (nodes[n][c] == 0 || fabs(scaled[n][c]) >= DBL_MIN);
-    }
-  }
-  return exact;
 }
 
 /** Whether a node is of the edge, face or hex whose middle is a control point: its place agrees
@@ -154,7 +139,8 @@ static void bisect(expansion *values, box_place *place, expansion *low, box_plac
 jacobian_sign prove_curved_jacobian_exactly(double nodes[20][3], void *memory, double witness[3]) {
   exact_room *room = memory;
   double scaled[20][3];
-  if (!scale_nodes(nodes, scaled))
+  memcpy(scaled, nodes, sizeof scaled);
+  if (!exact_scale(scaled, 20))
     return JACOBIAN_UNDECIDED;
   make_controls(scaled, room->controls);
   for (int axis = 0; axis < 3; axis++)

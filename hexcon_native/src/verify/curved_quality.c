@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/vector.h"
 #include "curved_box.h"
 #include "curved_jacobian.h"
 #include "hexmesh/hex_arrays.h"
@@ -40,15 +41,9 @@ static void derive(double at[27][3], int axis, double out[PLACES * PLACES * PLAC
         out[ijk][c] += weights[2][ijk % PLACES][control] * second[ijk / PLACES][control][c];
 }
 
-static double length(const double v[3]) {
-  return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
 static double quotient(const double r[3], const double s[3], const double t[3]) {
-  double product = length(r) * length(s) * length(t);
-  double determinant = r[0] * (s[1] * t[2] - s[2] * t[1]) + r[1] * (s[2] * t[0] - s[0] * t[2]) +
-                       r[2] * (s[0] * t[1] - s[1] * t[0]);
-  return product > 0 ? fmax(determinant / product, -1) : -1;
+  double product = vector_length(r) * vector_length(s) * vector_length(t);
+  return product > 0 ? fmax(vector_determinant(r, s, t) / product, -1) : -1;
 }
 
 double curved_scaled_jacobian(double nodes[20][3], void *room) {

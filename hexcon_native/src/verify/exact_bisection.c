@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
 #include "exact_bisection.h"
 
+#include <float.h>
 #include <math.h>
-#include <stdbool.h>
 
 void exact_add_dot(const exact_vector *a, const exact_vector *b, expansion *sum) {
   for (int i = 0; i < 3; i++) {
@@ -22,15 +22,29 @@ void exact_add_cross(const exact_vector *a, const exact_vector *b, exact_vector 
   }
 }
 
-double exact_scale(const double *coordinates, size_t stride, size_t count) {
+/** What brings the largest difference of coordinates along an axis near 1. */
+static double scale_along(double (*nodes)[3], size_t count, int axis) {
   double lowest = INFINITY, highest = -INFINITY;
-  for (size_t i = 0; i < count; i++) { /* halves, as the difference may overflow */
-    lowest = fmin(lowest, coordinates[i * stride] / 2);
-    highest = fmax(highest, coordinates[i * stride] / 2);
+  for (size_t n = 0; n < count; n++) { /* halves, as the difference may overflow */
+    lowest = fmin(lowest, nodes[n][axis] / 2);
+    highest = fmax(highest, nodes[n][axis] / 2);
   }
   int exponent = 0; /* frexp leaves it if there is infinity or no number */
   (void)frexp(highest - lowest, &exponent);
   return ldexp(1, exponent < -1000 ? 1000 : -1 - exponent);
+}
+
+bool exact_scale(double (*nodes)[3], size_t count) {
+  bool exact = true;
+  for (int axis = 0; axis < 3; axis++) {
+    const double scale = scale_along(nodes, count, axis);
+    for (size_t n = 0; n < count; n++) {
+      const double given = nodes[n][axis], scaled = given * scale;
+      exact &= isfinite(scaled) && (given == 0 || fabs(scaled) >= DBL_MIN);
+      nodes[n][axis] = scaled;
+    }
+  }
+  return exact;
 }
 
 static bool is_lost(const exact_boxes *b, const expansion *values) {

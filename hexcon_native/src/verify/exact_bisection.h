@@ -3,6 +3,7 @@
 #ifndef HEXCON_VERIFY_EXACT_BISECTION_H
 #define HEXCON_VERIFY_EXACT_BISECTION_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/expansion.h"
@@ -19,9 +20,10 @@ void exact_add_dot(const exact_vector *a, const exact_vector *b, expansion *sum)
 /** Add the cross product of two vectors to a sum. */
 void exact_add_cross(const exact_vector *a, const exact_vector *b, exact_vector *sum);
 
-/** A power of two that brings the largest difference of the coordinates near 1.
- * @param stride  from one coordinate to the next */
-double exact_scale(const double *coordinates, size_t stride, size_t count);
+/** Multiply each coordinate of a hex's nodes, in place, by a power of two of its own that brings
+ * the largest difference near 1, which leaves the sign of the Jacobian.
+ * @return whether that is exact: not where a coordinate becomes subnormal */
+bool exact_scale(double (*nodes)[3], size_t count);
 
 /** Boxes not yet decided, the next one last; the first is the whole hex at the start. */
 typedef struct exact_boxes {

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: LGPL-2.1-or-later */
 #include "jacobian_exact.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -13,24 +12,6 @@ enum {
   MAX_OPEN = 20,   /* boxes not yet decided; some 100 kB */
   MAX_BOXES = 2048 /* in all */
 };
-
-/** Each coordinate times a power of two of its own, which leaves the sign of the Jacobian. Returns
- * whether that is exact: not where a coordinate becomes subnormal. */
-static bool scale_corners(const double *points, const int32_t *hex, double corners[8][3]) {
-  bool exact = true;
-  for (int i = 0; i < 3; i++) {
-    double given[8];
-    for (int c = 0; c < 8; c++)
-      given[c] = points[3 * (size_t)hex[c] + (size_t)i];
-    const double scale = exact_scale(given, 1, 8);
-    for (int c = 0; c < 8; c++) {
-      double scaled = given[c] * scale;
-      exact &= isfinite(scaled) && (given[c] == 0 || fabs(scaled) >= DBL_MIN);
-      corners[hex_corner_bits[c]][i] = scaled;
-    }
-  }
-  return exact;
-}
 
 /** The edge along `axis` whose place across it is given by the bits of m, lower axis first. */
 static void exact_edge(double corners[8][3], int axis, int m, exact_vector *edge) {
@@ -114,7 +95,9 @@ static void bisect_in_order(expansion *value, box_place *place, expansion *other
 jacobian_sign prove_jacobian_sign_exactly(const double *points, const int32_t *hex,
                                           double witness[3]) {
   double corners[8][3];
-  if (!scale_corners(points, hex, corners))
+  for (size_t c = 0; c < 8; c++)
+    memcpy(corners[hex_corner_bits[c]], points + 3 * (size_t)hex[c], sizeof corners[0]);
+  if (!exact_scale(corners, 8))
     return JACOBIAN_UNDECIDED;
   expansion values[MAX_OPEN * 27];
   box_place places[MAX_OPEN] = {{{0}, 0}};
