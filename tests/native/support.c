@@ -328,6 +328,12 @@ void *test_reallocate(void *user, void *memory, size_t size) {
 
 /* ------------------------------------------------------------------------------------- random */
 
+bool lose_patience(void *user, const char *stage, double fraction) {
+  test_patience *p = user;
+  assert_true(stage && stage[0] && fraction >= 0 && fraction <= 1);
+  return ++p->calls != p->cancel_at;
+}
+
 uint64_t random_bits(uint64_t *state) {
   uint64_t x = *state += 0x9e3779b97f4a7c15u;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;

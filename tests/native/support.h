@@ -5,6 +5,7 @@
 
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -63,6 +64,17 @@ typedef struct test_memory {
 
 /** A hexcon_reallocate; user is a test_memory. */
 void *test_reallocate(void *user, void *memory, size_t size);
+
+/* ----------------------------------------------------------------------------------- patience */
+
+/** Counts calls of progress, and cancels. */
+typedef struct test_patience {
+  size_t calls;
+  size_t cancel_at; /**< number of the call that cancels, from 1; 0: none */
+} test_patience;
+
+/** A hexcon_progress; user is a test_patience. */
+bool lose_patience(void *user, const char *stage, double fraction);
 
 /* ------------------------------------------------------------------------------------- random */
 

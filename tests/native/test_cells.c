@@ -373,25 +373,15 @@ static void out_of_memory(void **state) {
   }
 }
 
-typedef struct patience {
-  size_t calls, cancel_at;
-} patience;
-
-static bool lose_patience(void *user, const char *stage, double fraction) {
-  patience *p = user;
-  assert_true(stage && stage[0] && fraction >= 0 && fraction <= 1);
-  return ++p->calls != p->cancel_at;
-}
-
 static void cancellation(void **state) {
-  patience whole = {0};
+  test_patience whole = {0};
   hexcon_context *context = hexcon_context_new();
   hexcon_context_set_progress(context, lose_patience, &whole);
   assert_int_equal(mesh_cube(context, *state, true), HEXCON_OK);
   hexcon_context_free(context);
   for (size_t k = 1; k < whole.calls; k += k < 4 ? 1 : whole.calls / 4) {
     test_memory memory = {0};
-    patience left = {.cancel_at = k};
+    test_patience left = {.cancel_at = k};
     context = hexcon_context_new_with(test_reallocate, &memory);
     hexcon_context_set_progress(context, lose_patience, &left);
     assert_int_equal(mesh_cube(context, *state, true), HEXCON_CANCELLED);

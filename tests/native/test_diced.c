@@ -328,21 +328,11 @@ static void out_of_memory(void **state) {
   print_message("%zu of %zu allocations fail\n", tried, all.calls);
 }
 
-typedef struct patience {
-  size_t calls, cancel_at;
-} patience;
-
-static bool lose_patience(void *user, const char *stage, double fraction) {
-  patience *p = user;
-  assert_true(stage && stage[0] && fraction >= 0 && fraction <= 1);
-  return ++p->calls != p->cancel_at;
-}
-
 static void cancellation(void **state) {
   (void)state;
   for (size_t k = 1; k < 40; k += 6) {
     test_memory memory = {0};
-    patience left = {.cancel_at = k};
+    test_patience left = {.cancel_at = k};
     hexcon_context *context = hexcon_context_new_with(test_reallocate, &memory);
     hexcon_context_set_progress(context, lose_patience, &left);
     hexcon_status status = mesh_pyramid(context);

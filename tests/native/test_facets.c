@@ -96,6 +96,20 @@ static double square_to(const terrain *t, int facet, const double p[3]) {
   return best;
 }
 
+static double gap_between(const double a[3], const double b[3]) {
+  double square = 0;
+  for (int k = 0; k < 3; k++)
+    square += (a[k] - b[k]) * (a[k] - b[k]);
+  return sqrt(square);
+}
+
+static double gap_to_terrain(const terrain *t, const double p[3]) {
+  double least = INFINITY;
+  for (int f = 0; f < FACETS; f++)
+    least = fmin(least, square_to(t, f, p));
+  return sqrt(least);
+}
+
 static void the_nearest_facet_is_found(void **state) {
   (void)state;
   uint64_t random = 51;
@@ -104,15 +118,11 @@ static void the_nearest_facet_is_found(void **state) {
   hexcon_context *context = hexcon_context_new();
   hexcon_sliding sliding = sliding_on(&t);
   for (int round = 0; round < 60; round++) {
-    double p[3], at[3], way[3], square = 0, least = INFINITY;
+    double p[3], at[3], way[3];
     for (int k = 0; k < 3; k++)
       p[k] = random_between(&random, -1, 3);
     assert_int_equal(hexcon_project_points(context, p, 1, &sliding, at, way), HEXCON_OK);
-    for (int k = 0; k < 3; k++)
-      square += (at[k] - p[k]) * (at[k] - p[k]);
-    for (int f = 0; f < FACETS; f++)
-      least = fmin(least, square_to(&t, f, p));
-    assert_close(sqrt(square), sqrt(least), 1e-6);
+    assert_close(gap_between(at, p), gap_to_terrain(&t, p), 1e-6);
     assert_close(way[0] * way[0] + way[1] * way[1] + way[2] * way[2], 1, 1e-12);
     assert_close(way[0] / way[2], -0.3, 1e-12);
   }
@@ -135,16 +145,9 @@ static void curved_facets_follow(void **state) {
     const double p[3] = {x, y, height};
     assert_int_equal(hexcon_project_points(context, p, 1, &sliding, at, way), HEXCON_OK);
     assert_int_equal(hexcon_project_points(context, at, 1, &sliding, again, NULL), HEXCON_OK);
-    double gap = 0, moved = 0, least = INFINITY;
-    for (int k = 0; k < 3; k++) {
-      gap += (at[k] - p[k]) * (at[k] - p[k]);
-      moved += (at[k] - again[k]) * (at[k] - again[k]);
-    }
-    for (int f = 0; round < 50 && f < FACETS; f++)
-      least = fmin(least, square_to(&t, f, p));
-    flat_error = fmax(flat_error, round < 50 ? sqrt(least) : 0);
-    curved_error = fmax(curved_error, sqrt(gap));
-    assert_true(sqrt(moved) < 1e-3);
+    flat_error = fmax(flat_error, round < 50 ? gap_to_terrain(&t, p) : 0);
+    curved_error = fmax(curved_error, gap_between(at, p));
+    assert_true(gap_between(at, again) < 1e-3);
   }
   assert_true(curved_error < 0.25 * flat_error);
   hexcon_context_free(context);
@@ -328,6 +331,38 @@ static void every_allocation_fails_once(void **state) {
   }
 }
 
+/** So many that is asked whether to go on: once while they are checked, once while they are halved,
+ * once while they are measured. */
+static void building_can_be_cancelled(void **state) {
+  (void)state;
+  enum { MANY = 10000, ASKED = 3 };
+  static int32_t facets[MANY][3], piece_of_facet[MANY];
+  bend b = make_bend();
+  for (int f = 0; f < MANY; f++) {
+    memcpy(facets[f], b.facets[f % 10], sizeof facets[f]);
+    piece_of_facet[f] = b.piece_of_facet[f % 10];
+  }
+  hexcon_sliding sliding = sliding_round(&b);
+  sliding.facet_count = MANY;
+  sliding.facets = &facets[0][0];
+  sliding.piece_of_facet = piece_of_facet;
+  const double p[3] = {0, 1, 0};
+  for (size_t k = 1; k <= ASKED + 1; k++) {
+    test_memory memory = {0};
+    test_patience left = {.cancel_at = k};
+    hexcon_context *context = hexcon_context_new_with(test_reallocate, &memory);
+    hexcon_context_set_progress(context, lose_patience, &left);
+    double at[3];
+    hexcon_status status = hexcon_project_points(context, p, 1, &sliding, at, NULL);
+    assert_int_equal(status, k <= ASKED ? HEXCON_CANCELLED : HEXCON_OK);
+    assert_int_equal(left.calls, k <= ASKED ? k : ASKED); /* not asked again */
+    if (status)
+      assert_message(context);
+    hexcon_context_free(context);
+    assert_int_equal(memory.live, 0);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(the_nearest_facet_is_found),
@@ -336,6 +371,7 @@ int main(void) {
       cmocka_unit_test(faults_are_named),
       cmocka_unit_test(facets_that_coincide),
       cmocka_unit_test(every_allocation_fails_once),
+      cmocka_unit_test(building_can_be_cancelled),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

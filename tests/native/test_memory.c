@@ -592,25 +592,13 @@ static void no_context(void **state) {
   hexcon_context_free(context);
 }
 
-typedef struct patience {
-  size_t calls, cancel_at;
-  double last;
-} patience;
-
-static bool lose_patience(void *user, const char *stage, double fraction) {
-  patience *p = user;
-  assert_true(stage && stage[0]);
-  assert_true(fraction >= 0 && fraction <= 1);
-  return ++p->calls != p->cancel_at;
-}
-
 /** The k-th call of progress cancels, for every k until there are no more. */
 static void cancellation(void **state) {
   for (int c = 0; c < CALL_COUNT; c++) {
     size_t cancel_at = 1;
     for (;; cancel_at += stride_of(calls[c].call)) {
       test_memory memory = {0};
-      patience left = {.cancel_at = cancel_at};
+      test_patience left = {.cancel_at = cancel_at};
       hexcon_context *context = hexcon_context_new_with(test_reallocate, &memory);
       hexcon_context_set_progress(context, lose_patience, &left);
       hexcon_status status = calls[c].call(context, *state);
@@ -634,7 +622,7 @@ static void cancellation(void **state) {
 static void cancelled_optimisation(void **state) {
   material *m = *state;
   for (size_t cancel_at = 1; cancel_at < 60; cancel_at += 7) {
-    patience left = {.cancel_at = cancel_at};
+    test_patience left = {.cancel_at = cancel_at};
     hexcon_context *context = hexcon_context_new();
     hexcon_context_set_progress(context, lose_patience, &left);
     (void)call_optimize(context, m);

@@ -40,7 +40,13 @@ static bool needs_across(const hexcon_carrier *c) {
   return needs_of[c->kind].across || (c->kind == HEXCON_CARRIER_CIRCLE && c->sizes[1] > 0);
 }
 
-static bool is_direction(const double v[3]) {
+static const double farthest = 1e100;
+
+bool carrier_is_place(const double x[3]) {
+  return fabs(x[0]) <= farthest && fabs(x[1]) <= farthest && fabs(x[2]) <= farthest;
+}
+
+bool carrier_is_direction(const double v[3]) {
   double length = vector_length(v);
   return isfinite(length) && length > 1e-150;
 }
@@ -71,16 +77,14 @@ static void scale_to(double length, double v[3]) {
 }
 
 const char *carrier_fault(const hexcon_carrier *carrier) {
-  const double farthest = 1e100;
   if (!hexcon_carrier_info(carrier->kind))
     return "its kind does not exist";
   if (!carrier_is_closed(carrier->kind) || carrier->kind == HEXCON_CARRIER_FACETS)
     return NULL;
   const carrier_needs *needs = &needs_of[carrier->kind];
-  for (int k = 0; k < 3; k++)
-    if (!(fabs(carrier->origin[k]) <= farthest))
-      return "its origin is not finite, or beyond 1e100";
-  if (needs->axis && !is_direction(carrier->axis))
+  if (!carrier_is_place(carrier->origin))
+    return "its origin is not finite, or beyond 1e100";
+  if (needs->axis && !carrier_is_direction(carrier->axis))
     return "its axis has no length, or is not finite";
   for (int i = 0; i < needs->sizes; i++)
     if (!(carrier->sizes[i] > 0 && carrier->sizes[i] <= farthest))
@@ -96,7 +100,7 @@ const char *carrier_fault(const hexcon_carrier *carrier) {
     hexcon_carrier unit = *carrier;
     scale_to(1, unit.axis);
     reject(carrier->across, unit.axis, unit.across);
-    if (!is_direction(unit.across) ||
+    if (!carrier_is_direction(unit.across) ||
         vector_length(unit.across) < 1e-9 * vector_length(carrier->across))
       return "its direction across has no length, or goes along its axis";
   }

@@ -10,6 +10,12 @@
 /** Whether carriers of a kind have one; hexcon_project is asked of the others. */
 bool carrier_is_closed(int kind);
 
+/** Whether a place is finite, and not beyond 1e100. */
+bool carrier_is_place(const double x[3]);
+
+/** Whether a direction, or a normal, is finite and has a length. */
+bool carrier_is_direction(const double v[3]);
+
 /** What is wrong with a carrier; NULL: nothing. */
 const char *carrier_fault(const hexcon_carrier *carrier);
 

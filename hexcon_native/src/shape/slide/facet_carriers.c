@@ -7,21 +7,13 @@
 #include "base/vector.h"
 #include "closed_forms.h"
 
-static bool is_place(const double x[3]) {
-  const double farthest = 1e100;
-  return fabs(x[0]) <= farthest && fabs(x[1]) <= farthest && fabs(x[2]) <= farthest;
-}
-
 static bool is_facet(const hexcon_sliding *s, size_t facet, int32_t piece_count) {
   bool good = s->piece_of_facet[facet] >= 0 && s->piece_of_facet[facet] < piece_count;
   for (size_t k = 0; good && k < 3; k++) {
     int32_t point = s->facets[3 * facet + k];
     good = point >= 0 && (size_t)point < s->facet_point_count &&
-           is_place(s->facet_points + 3 * (size_t)point);
-    if (good && s->facet_normals) {
-      double length = vector_length(s->facet_normals + 9 * facet + 3 * k);
-      good = isfinite(length) && length > 1e-150;
-    }
+           carrier_is_place(s->facet_points + 3 * (size_t)point) &&
+           (!s->facet_normals || carrier_is_direction(s->facet_normals + 9 * facet + 3 * k));
   }
   return good;
 }
@@ -79,11 +71,14 @@ static hexcon_status check_carriers(hexcon_context *context, const hexcon_slidin
 }
 
 /** A facet's middle is where its closed form is farthest from it, about. */
-static void reach_out(facet_carriers *f, const hexcon_carrier *pieces) {
+static hexcon_status reach_out(hexcon_context *context, facet_carriers *f,
+                               const hexcon_carrier *pieces) {
   const double enough = 1.5, rounding = 1e-9;
   const hexcon_sliding *s = f->given;
-  for (size_t i = 0; i < s->facet_count; i++) {
+  hexcon_status status = HEXCON_OK;
+  for (size_t i = 0; !status && i < s->facet_count; i++) {
     const hexcon_carrier *piece = &pieces[s->piece_of_facet[i]];
+    status = context_pass(context, i);
     if (piece->kind == HEXCON_CARRIER_FACETS)
       continue;
     double middle[3] = {0, 0, 0}, on[3], way[3] = {0, 0, 0}, side[3];
@@ -95,6 +90,7 @@ static void reach_out(facet_carriers *f, const hexcon_carrier *pieces) {
     double far = enough * vector_length(way) + rounding * vector_length(side);
     f->reach[s->piece_of_facet[i]] = fmax(f->reach[s->piece_of_facet[i]], far);
   }
+  return status;
 }
 
 /** Facets by carrier, in their order, and where each carrier's begin. */
@@ -148,7 +144,7 @@ hexcon_status facet_carriers_new(hexcon_context *context, const hexcon_sliding *
     status = out->trees && out->reach ? plant(context, out, of_piece) : HEXCON_OUT_OF_MEMORY;
   }
   if (!status && out->given)
-    reach_out(out, pieces);
+    status = reach_out(context, out, pieces);
   context_free(context, of_piece);
   return status;
 }

@@ -12,8 +12,10 @@ typedef struct facet_carriers {
   double *reach; /**< [pieces] how far a closed form may be from its facets and still be meant */
 } facet_carriers;
 
-/** INDEX_OUT_OF_RANGE (facets, listed), BAD_ARGUMENT (carriers, listed), TOO_LARGE, OUT_OF_MEMORY.
- * @param pieces  normalised  @param out  free it also after an error. O(n log n) of n facets. */
+/** INDEX_OUT_OF_RANGE (facets, listed), BAD_ARGUMENT (carriers, listed), TOO_LARGE, OUT_OF_MEMORY,
+ * CANCELLED, OUT_OF_TIME. O(n log n) of n facets.
+ * @param pieces  normalised
+ * @param out     free it also after an error */
 hexcon_status facet_carriers_new(hexcon_context *context, const hexcon_sliding *given,
                                  const hexcon_carrier *pieces, facet_carriers *out);
 void facet_carriers_free(hexcon_context *context, facet_carriers *facets);

@@ -16,8 +16,9 @@ typedef struct facet_tree {
   size_t count;
 } facet_tree;
 
-/** OUT_OF_MEMORY. @param facets  [count] which of them  @param out  free it also after an error.
- * O(n log n). */
+/** OUT_OF_MEMORY, CANCELLED, OUT_OF_TIME. O(n log n).
+ * @param facets  [count] which of them
+ * @param out     free it also after an error */
 hexcon_status facet_tree_new(hexcon_context *context, const double *points, const int32_t *corners,
                              const int32_t *facets, size_t count, facet_tree *out);
 void facet_tree_free(hexcon_context *context, facet_tree *tree);

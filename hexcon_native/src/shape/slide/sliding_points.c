@@ -106,13 +106,17 @@ uint8_t sliding_freedom(const sliding_points *points, int32_t point) {
   return (uint8_t)hexcon_carrier_info(points->pieces[points->starts[carrier]].kind)->freedom;
 }
 
-bool sliding_is_asked(const sliding_points *points, int32_t point) {
-  int32_t carrier = points->carrier_of_point[point];
-  bool asked = false;
+/** Of how many of a carrier's pieces hexcon_project is asked. */
+static size_t asked_of(const sliding_points *points, int32_t carrier) {
+  size_t asked = 0;
   for (int32_t i = carrier < 0 ? 0 : points->starts[carrier];
        carrier >= 0 && i < points->starts[carrier + 1]; i++)
-    asked = asked || !carrier_is_closed(points->pieces[i].kind);
+    asked += !carrier_is_closed(points->pieces[i].kind);
   return asked;
+}
+
+bool sliding_is_asked(const sliding_points *points, int32_t point) {
+  return asked_of(points, points->carrier_of_point[point]) > 0;
 }
 
 /** A place on a carrier; where nothing was found yet the distance is infinite. */
@@ -132,10 +136,9 @@ static void take_nearer(landing *best, const double point[3], const double neare
   memcpy(best->direction, direction, 3 * sizeof *direction);
 }
 
-/** On the piece that its facets tell, or on the nearest piece of those with a closed form.
- * @param others  receives the number of those without; may be NULL */
-static landing land_on_closed(const sliding_points *points, int32_t carrier, const double point[3],
-                              size_t *others) {
+/** On the piece that its facets tell, or on the nearest piece of those with a closed form. */
+static landing land_on_closed(const sliding_points *points, int32_t carrier,
+                              const double point[3]) {
   landing best = {.distance = INFINITY};
   if (facet_carriers_know(&points->facets, carrier)) {
     facet_carriers_project(&points->facets, points->pieces, carrier, point, best.nearest,
@@ -144,12 +147,10 @@ static landing land_on_closed(const sliding_points *points, int32_t carrier, con
   }
   for (int32_t i = points->starts[carrier]; i < points->starts[carrier + 1]; i++) {
     double nearest[3], direction[3] = {0, 0, 0};
-    if (carrier_is_closed(points->pieces[i].kind)) {
-      carrier_project(&points->pieces[i], point, nearest, direction);
-      take_nearer(&best, point, nearest, direction);
-    } else if (others) {
-      ++*others;
-    }
+    if (!carrier_is_closed(points->pieces[i].kind))
+      continue;
+    carrier_project(&points->pieces[i], point, nearest, direction);
+    take_nearer(&best, point, nearest, direction);
   }
   return best;
 }
@@ -198,13 +199,9 @@ static void pose(const sliding_points *points, const int32_t *ids, size_t count,
 }
 
 static hexcon_status check_answer(hexcon_context *context, question *q) {
-  const double farthest = 1e100;
   for (size_t i = 0; i < q->count; i++) {
     double *direction = q->directions + 3 * i, length = vector_length(direction);
-    bool good = isfinite(length) && length > 1e-150;
-    for (size_t k = 0; k < 3; k++)
-      good = good && fabs(q->nearest[3 * i + k]) <= farthest;
-    if (!good)
+    if (!carrier_is_direction(direction) || !carrier_is_place(q->nearest + 3 * i))
       return context_fail(context, HEXCON_BAD_ARGUMENT,
                           "project answers for carrier tag %d at (%g, %g, %g) with a place or a "
                           "direction that is not finite, or a direction of no length",
@@ -222,11 +219,10 @@ static void take_answers(const sliding_points *points, const int32_t *ids, size_
   size_t asked = 0;
   for (size_t i = 0; i < count; i++) {
     int32_t carrier = carrier_at(points, ids, i);
-    size_t others = 0;
     if (carrier < 0)
       continue;
-    landing best = land_on_closed(points, carrier, x + 3 * i, &others);
-    for (; others > 0; others--, asked++)
+    landing best = land_on_closed(points, carrier, x + 3 * i);
+    for (size_t others = asked_of(points, carrier); others > 0; others--, asked++)
       take_nearer(&best, x + 3 * i, q->nearest + 3 * asked, q->directions + 3 * asked);
     memcpy(x + 3 * i, best.nearest, sizeof best.nearest);
     if (directions)
@@ -239,12 +235,8 @@ hexcon_status sliding_points_project(hexcon_context *context, const sliding_poin
                                      double *directions) {
   question q = {0};
   size_t others = 0;
-  for (size_t i = 0; i < count; i++) {
-    int32_t carrier = carrier_at(points, ids, i);
-    for (int32_t k = carrier < 0 ? 0 : points->starts[carrier];
-         carrier >= 0 && k < points->starts[carrier + 1]; k++)
-      others += !carrier_is_closed(points->pieces[k].kind);
-  }
+  for (size_t i = 0; i < count; i++)
+    others += asked_of(points, carrier_at(points, ids, i));
   hexcon_status status = question_new(context, others, &q);
   if (!status && others > 0) {
     pose(points, ids, count, x, &q);
