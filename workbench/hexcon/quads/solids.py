@@ -16,10 +16,9 @@ from hexcon.gmsh_process import run_job
 from . import local_sizes as sizes_by_place
 from .checked_numbers import check_number
 from .fit import fit_of
-from .gmsh_worker.methods import METHODS
+from .gmsh_worker.methods import METHODS, VOLUME_ERROR
 from .surface import finished
 
-VOLUME_ERROR = 0.01     # part of the volume
 CAD_ENDINGS = (".step", ".stp", ".brep", ".brp", *IGES_ENDINGS)
 
 

@@ -7,9 +7,9 @@ import numpy as np
 
 from . import cad, session
 from .cad_fit import cad_fit
-from .chord_sizes import DEFAULT, within
+from .chord_sizes import within
 from .fault import WorkerFault
-from .methods import METHOD_TABLE, tried_by_auto
+from .methods import METHOD_TABLE, VOLUME_ERROR, tried_by_auto
 from .nearness import check_corners, distances
 from .short_edges import short_edges, words
 from .wanted_sizes import wanted_sizes
@@ -23,7 +23,7 @@ def _run(job, link):
     """Load, mesh, measure; returns the arrays of result.npz."""
     link.progress("load", 0.0)
     solid = cad.load(job["file"])
-    expected = sum(solid.area(f) for f in solid.faces) / job["size"] ** 2
+    expected = solid.exact_area / job["size"] ** 2
     if expected > MOST_QUADS:
         raise WorkerFault("BAD_OPTION", f"size {job['size']:g} would give about {expected:.2g} quads; at most "
                           f"{MOST_QUADS:.2g} are made")
@@ -62,7 +62,7 @@ def _made(row, solid, job, link, notes):
     module, _, function = row.maker.rpartition(".")
     make = getattr(importlib.import_module(f".{module}", __package__), function)
     offered = {"method": row.name, "care": job["care"], "timeout": job["timeout"]}
-    limit = job["volume_error"] or (DEFAULT if row.spares_volume else 0.0)
+    limit = job["volume_error"] or (VOLUME_ERROR if row.spares_volume else 0.0)
 
     def arrays(mesh):
         return _arrays(solid, mesh, job["size"], row.name, notes + mesh["notes"] + left_out)

@@ -5,6 +5,8 @@ Numbers are gmsh's tags. For a file with one solid and nothing else they are the
 FreeCAD's Face1, Face2, ... (both walk the shape with TopExp_Explorer).
 Lengths are in the units of the file (millimetres for STEP).
 """
+from functools import cached_property
+
 import gmsh
 import numpy as np
 
@@ -193,6 +195,15 @@ class Solid:
         if face not in self._areas:
             self._areas[face] = gmsh.model.occ.getMass(2, face)
         return self._areas[face]
+
+    @cached_property
+    def exact_volume(self):
+        """Of OCC, as areas are."""
+        return gmsh.model.occ.getMass(3, self.volume)
+
+    @cached_property
+    def exact_area(self):
+        return sum(self.area(f) for f in self.faces)
 
     def turning(self, edge):
         """Total angle in radians through which the tangent of an edge turns."""

@@ -2,12 +2,12 @@
 """The gate of every surface method: how well the quads keep the solid. Their points are measured by nearness.py."""
 import gmsh
 import numpy as np
-from scipy.spatial import cKDTree
+
+from .segments import distances
 
 SHARP = 25.0        # degrees between normals from which an edge must lie on mesh edges
 SAMPLES = 33        # of an edge, at most
 MIDDLES = 500       # quads of one face whose middles are measured, at most
-NEAR = 8            # mesh edges looked at for each sample
 
 
 def cad_fit(solid, mesh):
@@ -22,9 +22,8 @@ def cad_fit(solid, mesh):
     quads, faces = np.asarray(mesh["quads"]), np.asarray(mesh["faces"])
     volume, area = volume_and_area(mesh["points"][quads])
     volume = abs(volume)        # not all methods' quads are outward yet
-    exact = gmsh.model.occ.getMass(3, solid.volume), sum(solid.area(f) for f in solid.faces)
     chord, lost_edges = _edge_chord(solid, mesh["points"], quads, faces)
-    found = (*exact, volume / exact[0] - 1.0, area / exact[1] - 1.0,
+    found = (solid.exact_volume, solid.exact_area, volume / solid.exact_volume - 1.0, area / solid.exact_area - 1.0,
              _face_chord(solid, mesh["points"], quads, faces, mesh.get("joined", {})), chord)
     return {"fit": np.array(found), "lost_faces": np.setdiff1d(np.array(solid.faces), faces),
             "lost_edges": np.array(lost_edges, int)}
@@ -66,7 +65,7 @@ def _edge_chord(solid, points, quads, faces):
             lost.append(edge)
             continue
         at = solid.edge_points(edge, np.linspace(0.0, 1.0, SAMPLES))
-        worst = max(worst, float(_distances(at, points[line[:, 0]], points[line[:, 1]]).max()))
+        worst = max(worst, float(distances(at, points[line[:, 0]], points[line[:, 1]]).max()))
     return worst, lost
 
 
@@ -88,14 +87,3 @@ def _is_sharp(solid, edge):
             for f in solid.faces_of[edge]]
     cosine = np.abs((ways[0] * ways[1]).sum(axis=1))
     return bool(np.nanmin(np.append(cosine, 1.0)) < np.cos(np.radians(SHARP)))
-
-
-def _distances(at, a, b):
-    """(n,) distances of points from segments."""
-    near = cKDTree((a + b) / 2.0).query(at, min(NEAR, len(a)))[1].reshape(len(at), -1)
-    best = np.full(len(at), np.inf)
-    for k in near.T:
-        d = b[k] - a[k]
-        t = (((at - a[k]) * d).sum(1) / np.maximum((d * d).sum(1), 1e-300)).clip(0.0, 1.0)
-        best = np.minimum(best, np.linalg.norm(a[k] + t[:, None] * d - at, axis=1))
-    return best

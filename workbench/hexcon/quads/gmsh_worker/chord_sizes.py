@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """More quads on round faces, where chords cut more of the volume than they may."""
-import gmsh
 import numpy as np
 
-from .cad_fit import cad_fit
+from .cad_fit import volume_and_area
 from .fault import WorkerFault
 from .size_field import SizeField
 from .wanted_sizes import curved_points
 
-DEFAULT = 0.01      # of the volume
 ENOUGH = 1.1        # times what chords may cut: so little too much is not worth another mesh
 ROUNDS = 2          # meshes that are made for the sake of chords, at most
 SAFE = 0.9          # of the size that would just do, as what chords cut goes with its square
@@ -57,7 +55,7 @@ def _rounder(solid, size, sizes, make, factor, limit, first):
 
 
 def _off(solid, mesh):
-    return abs(cad_fit(solid, mesh)["fit"][2])
+    return abs(abs(volume_and_area(mesh["points"][mesh["quads"]])[0]) / solid.exact_volume - 1.0)
 
 
 def chord_sizes(solid, size, factor, limit):
@@ -66,11 +64,11 @@ def chord_sizes(solid, size, factor, limit):
     A strip of width h on a face of curvature k cuts h^3 k / 12: h^2 (k1 + k2) / 12 of each unit of area.
     """
     faces = [f for f in solid.faces if not solid.is_plane(f)]
-    area, volume = sum(solid.area(f) for f in faces), gmsh.model.occ.getMass(3, solid.volume)
+    area = sum(solid.area(f) for f in faces)
     points, names, name_of = [np.zeros((0, 3))], [], [np.zeros(0, int)]
     for face in faces:
         at, curvature = curved_points(solid, face, factor * size)
-        at = at[size ** 2 * curvature / 12.0 * area > MATTERS * limit * volume]
+        at = at[size ** 2 * curvature / 12.0 * area > MATTERS * limit * solid.exact_volume]
         points.append(at)
         name_of.append(np.full(len(at), len(names)))
         names.append(f"Face{face} is round")

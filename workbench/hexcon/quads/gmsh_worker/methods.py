@@ -5,6 +5,8 @@ Read by the worker, which makes the quads, and by all that names or offers metho
 """
 from dataclasses import dataclass
 
+VOLUME_ERROR = 0.01     # part of the volume that chords may cut, where nothing else is said
+
 
 @dataclass(frozen=True)
 class SurfaceMethod:

@@ -14,6 +14,8 @@ LEAST_SAMPLES = 4           # along each parameter of a face
 PROBES = 9          # for each parameter, to see how curved a face is
 LEAST_TURNING = 0.05        # of the size: no curvature asks for less, as at the tip of a cone
 CURVED = 1e-6       # radians that a face turns on a diagonal of the solid, from which on it is curved
+# gmsh 4.8 takes parameters as they are, later ones where they are told.
+_PARAMETRIC = (True,) if "parametric" in inspect.signature(gmsh.model.isInside).parameters else ()
 
 
 def wanted_sizes(solid, size, local_sizes=(), per_turn=0):
@@ -76,13 +78,7 @@ def _inside(solid, face, step):
     counts = np.clip(np.ceil(np.array(lengths) / step), LEAST_SAMPLES, MOST_SAMPLES // LEAST_SAMPLES).astype(int)
     axes = [a + (b - a) * (np.arange(n) + 0.5) / n for a, b, n in zip(low, high, counts)]
     grid = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 2)
-    return grid[[_parameters_inside(face, at) for at in grid]], float(step)
-
-
-def _parameters_inside(face, at):
-    """Whether parameters (2,) lie in a face. gmsh 4.8 takes them as they are, later ones where they are told."""
-    told = (True,) if "parametric" in inspect.signature(gmsh.model.isInside).parameters else ()
-    return gmsh.model.isInside(2, face, at, *told) > 0
+    return grid[[gmsh.model.isInside(2, face, at, *_PARAMETRIC) > 0 for at in grid]], float(step)
 
 
 def _on_face(solid, face, size):

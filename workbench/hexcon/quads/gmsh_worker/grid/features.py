@@ -12,9 +12,10 @@ import gmsh
 import numpy as np
 from scipy.spatial import cKDTree
 
+from ..segments import on_segments
 from .carriers import curve_carrier, surface_carrier
 from .edges import edges_of
-from .tessellation import Nearest, Tessellation, on_segments
+from .tessellation import Nearest, Tessellation
 
 SMOOTH = 25.0       # degrees between normals up to which an edge is no feature
 TURN = 40.0         # degrees by which a curve turns at a corner
@@ -27,7 +28,7 @@ class Cad:
 
     tolerance  how far triangles may be off curved faces, about
     carriers   CAD face -> Carrier;  curve_carriers: CAD edge -> Carrier
-    edges      list of edges.Edge;  volume: exact, of OCC
+    edges      list of edges.Edge
     """
 
     def __init__(self, solid, size):
@@ -37,7 +38,6 @@ class Cad:
         self.carriers = {f: surface_carrier(f, solid.diagonal) for f in solid.faces}
         self.curve_carriers = {e: curve_carrier(e, solid.diagonal) for e in solid.edges}
         self.edges = edges_of(self.tessellation, solid, size)
-        self.volume = gmsh.model.occ.getMass(3, solid.volume)
 
 
 @dataclass

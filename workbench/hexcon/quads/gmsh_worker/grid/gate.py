@@ -6,10 +6,9 @@ While tries go on; the surface that is handed on is measured as that of every me
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from ..cad_fit import volume_and_area
-from .tessellation import on_segments
+from ..segments import distances
 
 MOST_VOLUME = 0.05      # part by which volume and area may differ from the CAD's: chords cut round faces
 MOST_CHORD = 0.6        # of the size: how far a CAD edge may be from the mesh's edges
@@ -48,16 +47,9 @@ def kept(points, mesh, faces, features, chains, h):
     """
     quads, cad = points[mesh.quads], features.cad
     volume, area = volume_and_area(quads)
-    cuts = [_chord(curve, points[chain]) / h for curve, chain in zip(features.curves, chains)]
+    cuts = [distances(curve.samples, points[chain[:-1]], points[chain[1:]]).max() / h
+            for curve, chain in zip(features.curves, chains)]
     worst = int(np.argmax(cuts)) if cuts else -1
-    return Kept(volume / cad.volume - 1.0, area / sum(cad.solid.area(f) for f in cad.solid.faces) - 1.0,
+    return Kept(volume / cad.solid.exact_volume - 1.0, area / cad.solid.exact_area - 1.0,
                 float(cuts[worst]) if cuts else 0.0, worst, sorted(set(cad.solid.faces) - set(faces.tolist())),
                 float(np.linalg.norm(quads - np.roll(quads, -1, axis=1), axis=2).min() / h))
-
-
-def _chord(curve, line):
-    """Greatest distance of a curve's samples from the edges of the mesh's line (k,3) along it."""
-    middles = cKDTree((line[:-1] + line[1:]) / 2.0)
-    near = middles.query(curve.samples, min(3, len(line) - 1))[1].reshape(len(curve.samples), -1)
-    gaps = [np.linalg.norm(on_segments(curve.samples, line[k], line[k + 1])[0] - curve.samples, axis=1) for k in near.T]
-    return float(np.min(gaps, axis=0).max())

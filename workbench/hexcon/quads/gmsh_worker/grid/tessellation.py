@@ -11,6 +11,7 @@ from scipy.sparse.csgraph import breadth_first_order, connected_components
 from scipy.spatial import cKDTree
 
 from ..fault import WorkerFault
+from ..segments import on_segments
 
 ROUND = 20          # triangles round a full circle,
 FINEST = 0.1        # but no smaller than this part of the step: curvature has no bound at the tip of a cone
@@ -211,10 +212,3 @@ def on_triangles(p, corners):
             best[better], at[better] = gap[better], s[better]
         q[outside] = at
     return q
-
-
-def on_segments(p, a, b):
-    """((n,3) nearest points of segments a b, each to its own point of p, (n,) which part of the segment that is)."""
-    d = b - a
-    t = (((p - a) * d).sum(1) / np.maximum((d * d).sum(1), 1e-300)).clip(0.0, 1.0)
-    return a + t[:, None] * d, t

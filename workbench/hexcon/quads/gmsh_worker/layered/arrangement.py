@@ -10,6 +10,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..plane_mesh import polygon_area
+from ..segments import on_segments
 from .fault import NotLayered
 from .flat_edges import FlatEdge, crossings
 
@@ -297,6 +298,4 @@ def inner_point(arrangement, region):
 
 
 def _distance(edges, point):
-    a, d = edges[:, 0], edges[:, 1] - edges[:, 0]
-    t = (((point - a) * d).sum(1) / np.maximum((d * d).sum(1), 1e-300)).clip(0, 1)
-    return float(np.linalg.norm(a + t[:, None] * d - point, axis=1).min())
+    return float(np.linalg.norm(on_segments(point, edges[:, 0], edges[:, 1])[0] - point, axis=1).min())

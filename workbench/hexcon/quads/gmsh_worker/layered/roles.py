@@ -2,7 +2,6 @@
 """What each CAD face is along a direction: a cap over the material or under it, or a side."""
 from enum import Enum
 
-import gmsh
 import numpy as np
 
 from ..grid.carriers import surface_carrier
@@ -33,7 +32,7 @@ class Shape:
         self.solid = solid
         made = Tessellation(solid, max(size, solid.diagonal / 40.0))
         self.carriers = {f: surface_carrier(f, solid.diagonal) for f in solid.faces}
-        self.volume = gmsh.model.occ.getMass(3, solid.volume)
+        self.volume = solid.exact_volume
         self.normals = {f: _normals(self.carriers[f], made, np.flatnonzero(made.face == f)) for f in solid.faces}
 
     def roles(self, direction):

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Surface method `revolved`: bodies of revolution by a full turn, quads of half a section turned round their axis."""
-import gmsh
 import numpy as np
 
 from ..cad_fit import volume_and_area
@@ -33,7 +32,7 @@ def revolved_surface(solid, size, link):
     bands = bands_of(solid, axis, carriers)
     axis = _from_meridian(solid, axis, bands)
     section, cores = with_cores(half_section(solid, axis, bands, carriers))
-    loops, volume = Loops(section), gmsh.model.occ.getMass(3, solid.volume)
+    loops, volume = Loops(section), solid.exact_volume
     cap, off = _section_mesh(loops, cores, volume, size, link)
     step = 8 if any(core.pointed for core in cores) else 4
     around = _number_round(solid, axis, size, off, step)
@@ -161,7 +160,7 @@ def _notes(solid, axis, cap, cores, around, off, size, faces):
     notes = [f"revolved about {axis.word}: {len(cap.quads)} quads of half a section ({cap.name}, scaled Jacobian "
              f"{low:.3f} to mean {mean:.3f}, edges of a quad up to 1 to {aspect:.1f}) x {around} round"
              + (f", {len(cores)} cores of discs" if cores else "") + f"; volume {100 * off:+.2f} %"]
-    wanted = sum(solid.area(f) for f in solid.faces) / size ** 2
+    wanted = solid.exact_area / size ** 2
     if len(faces) > 2.0 * wanted:
         notes.append(f"revolved: {len(faces)} quads where the size asks for {wanted:.0f}: chords are to cut no more "
                      f"than {100 * MOST_VOLUME:g} % of the volume, and short edges of the section have one each")
