@@ -8,6 +8,7 @@ from mesh_checker import faults
 import hexcon
 from hexcon.errors import FaultCode, ToolError
 from hexcon.quads import surface_from_solid
+from hexcon.quads.gmsh_worker.detail_sizes import detail_sizes
 from hexcon.quads.gmsh_worker.size_field import GROWTH, Place, SizeField
 from hexcon.quads.local_sizes import of_the_solid, parsed
 
@@ -43,6 +44,18 @@ def test_field_of_random_sources(seed):
                       0.2 + 0.1 * np.sin(np.linspace(0, 9, 400)))
     one = [dense.for_gmsh(0, 0, *p) for p in at]
     assert np.abs(one / dense(at) - 1).max() < 0.25
+
+
+def test_details_want_smaller_elements(features):
+    """A plain box has none. A tube's thin wall behind its round faces allows the root of thickness times radius."""
+    field, wall = detail_sizes(features(lambda occ: occ.addBox(0, 0, 0, 6, 5, 4), 1.0).cad.solid, 1.0)
+    assert field.even and wall == np.inf
+
+    def tube(occ):
+        occ.cut([(3, occ.addCylinder(0, 0, 0, 0, 0, 9, 4))], [(3, occ.addCylinder(0, 0, 0, 0, 0, 9, 3.5))])
+    field, wall = detail_sizes(features(tube, 2.0).cad.solid, 2.0)
+    assert wall == pytest.approx(np.sqrt(0.5 * 3.5)) and 0.84 * wall < field([[-3.5, 0, 4.5]])[0] <= 1.01 * wall
+    assert field.least == pytest.approx(0.5) and field([[0, 0, 30]])[0] == 2.0     # across the rings at its ends
 
 
 def test_what_wants_them_is_named():
