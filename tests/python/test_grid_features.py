@@ -5,7 +5,9 @@ import numpy as np
 import pytest
 
 from hexcon.quads.gmsh_worker import cad
+from hexcon.quads.gmsh_worker.grid import features as grid_features
 from hexcon.quads.gmsh_worker.grid.features import EVERY_EDGE, Features
+from hexcon.quads.gmsh_worker.grid.sliding import FeatureCarriers
 from hexcon.quads.gmsh_worker.grid.tessellation import Nearest
 
 
@@ -33,6 +35,14 @@ def rounded(occ):
     solid = occ.addBox(0, 0, 0, 4, 4, 4)
     occ.synchronize()
     occ.fillet([solid], [e for _, e in gmsh.model.getBoundary(gmsh.model.getBoundary([(3, solid)]), False, False)], [1])
+
+
+def lofted(occ):
+    """A bar whose section turns: its sides have no closed form."""
+    def section(z, way):
+        corners = [occ.addPoint(1.5 * np.cos(a + way), 1.5 * np.sin(a + way), z) for a in np.arange(4) * np.pi / 2]
+        return occ.addCurveLoop([occ.addLine(p, q) for p, q in zip(corners, corners[1:] + corners[:1])])
+    occ.addThruSections([section(0, 0.0), section(2, 0.3), section(4, 0.8)], makeSolid=True)
 
 
 # patches, curves, corners, Euler characteristic, shells, rounded angles of curves
@@ -119,3 +129,18 @@ def test_nearest_of_all_triangles():
         best = np.linalg.norm(dense - p, axis=2).min()
         assert abs(np.linalg.norm(p - q) - d) < 1e-12 and d <= best + 1e-12
         assert np.linalg.norm(dense[t] - q, axis=1).min() < 0.1
+
+
+def test_normals_are_asked_of_gmsh_once(features, monkeypatch):
+    """However many meshes slide on the solid. Those of closed forms are the triangles' own."""
+    asked = []
+    ask = grid_features.surface_normals
+    monkeypatch.setattr(grid_features, "surface_normals", lambda face, points: asked.append(face) or ask(face, points))
+    found = features(lofted, 1.0)
+    first, second = (FeatureCarriers(found).relaxed_on()[1] for _ in range(2))
+    sides = [f for f, carrier in found.cad.carriers.items() if carrier.kind == "other"]
+    assert len(sides) == 4 and sorted(asked) == sides
+    assert np.array_equal(first.normals, second.normals)
+    cosine = (found.cad.corner_normals(sides[0]) * found.cad.tessellation.normals()[
+        found.cad.tessellation.face == sides[0]][:, None]).sum(axis=2)
+    assert (cosine > 0.0).all()

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..segments import on_segments
-from .carriers import curve_carrier, surface_carrier
+from .carriers import curve_carrier, surface_carrier, surface_normals
 from .edges import edges_of
 from .tessellation import Nearest, Tessellation
 
@@ -38,6 +38,25 @@ class Cad:
         self.carriers = {f: surface_carrier(f, solid.diagonal) for f in solid.faces}
         self.curve_carriers = {e: curve_carrier(e, solid.diagonal) for e in solid.edges}
         self.edges = edges_of(self.tessellation, solid, size)
+        self._corner_normals = {}
+
+    def corner_normals(self, face):
+        """(t,3,3) normals at the corners of a face's triangles: the triangles' own of closed forms, and where gmsh
+        tells no others; asked once."""
+        if face not in self._corner_normals:
+            self._corner_normals[face] = self._asked_normals(face)
+        return self._corner_normals[face]
+
+    def _asked_normals(self, face):
+        shape = self.tessellation
+        rows = np.flatnonzero(shape.face == face)
+        flat = np.repeat(shape.normals_at(rows)[:, None], 3, axis=1)
+        if self.carriers[face].kind != "other":
+            return flat
+        ids, back = np.unique(shape.triangles[rows], return_inverse=True)
+        found = surface_normals(face, shape.points[ids])[back.reshape(-1, 3)]
+        found = found * np.sign((found * flat).sum(axis=2, keepdims=True))
+        return np.where(np.isfinite(found) & (found != 0).any(axis=2, keepdims=True), found, flat)
 
 
 @dataclass

@@ -4,8 +4,6 @@ import numpy as np
 
 import hexcon_native as hn
 
-from .carriers import surface_normals
-
 FREE, STAYS = -1, -2        # of hexcon.h
 
 
@@ -55,8 +53,8 @@ class Sliding:
     """
 
     def __init__(self, mesh, features):
-        self._features, self._corners, self._on, curves = features, features.corners, FeatureCarriers(features), \
-            len(features.curves)
+        self._features, self._corners, self._on = features, features.corners, FeatureCarriers(features)
+        curves = self._on.curves
         self.chains = [mesh.chain(features, c) for c in range(curves)]
         self.carrier_of_point = np.full(len(mesh.points), FREE)
         self.carrier_of_point[mesh.quads] = curves + mesh.patch[:, None]
@@ -107,14 +105,9 @@ def _faceted(cad, patch, row):
     shape, carriers = cad.tessellation, [cad.carriers[f] for f in patch.faces]
     pieces = [hn.Carrier("facets") if c.kind == "other" else c.core for c in carriers]
     triangles, face = shape.triangles[patch.rows], shape.face[patch.rows]
-    normals = np.repeat(shape.normals_at(patch.rows)[:, None], 3, axis=1)
-    for f, carrier in zip(patch.faces, carriers):
-        if carrier.kind == "other":
-            rows = np.flatnonzero(face == f)
-            ids, back = np.unique(triangles[rows], return_inverse=True)
-            found = surface_normals(f, shape.points[ids])[back.reshape(-1, 3)]
-            found = found * np.sign((found * normals[rows]).sum(axis=2, keepdims=True))
-            normals[rows] = np.where(np.isfinite(found) & (found != 0).any(axis=2, keepdims=True), found, normals[rows])
+    normals = np.empty((len(triangles), 3, 3))
+    for f in patch.faces:
+        normals[face == f] = cad.corner_normals(f)
     return pieces, (triangles, np.full(len(triangles), row), np.searchsorted(patch.faces, face), normals)
 
 
