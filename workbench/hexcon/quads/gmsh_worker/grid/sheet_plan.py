@@ -28,9 +28,9 @@ class Groups:
     """kind (of each curve: "convex", "flat", "concave"), of_patch (group of each patch), corner_angle {(corner, patch):
     degrees}, ends (curves at each corner, twice those that begin and end there)."""
 
-    def __init__(self, model, convex=CONVEX, inside=True):
+    def __init__(self, model, inside=True):
         self.model = model
-        self.kind = ["convex" if c.angle < convex else "concave" if c.angle > CONCAVE else "flat" for c in model.curves]
+        self.kind = ["convex" if c.angle < CONVEX else "concave" if c.angle > CONCAVE else "flat" for c in model.curves]
         parent = list(range(len(model.patches)))
 
         def root(a):
@@ -96,10 +96,8 @@ def demands(mesh, groups):
 def _ask_edges(mesh, groups, found):
     h = np.flatnonzero(mesh.half_edges.tail < mesh.half_edges.head)
     count, c, group = mesh.hexes_at_half_edge[h], mesh.curve_of_half_edge[h], groups.of_patch[mesh.patch[h // 4]]
-    kind = np.array(["", "convex", "flat", "concave"])
-    name = np.array(["convex", "flat", "concave"])
     code = np.zeros(len(groups.kind) + 1, int)                # the last for no curve
-    code[:-1] = [1 + int(np.flatnonzero(name == k)[0]) for k in groups.kind]
+    code[:-1] = [1 + ("convex", "flat", "concave").index(k) for k in groups.kind]
     kind = code[c]
 
     def under(rows, why):
@@ -135,12 +133,12 @@ def _ask_corners(mesh, groups, found):
                 found.rings.add(p)
 
 
-def sheeted(mesh, model, convex=CONVEX, inside=True, log=None):
+def sheeted(mesh, model, inside=True):
     """(CapturedMesh with the sheets it needs, Counter of sheets by kind). Raises Pinched where none of them goes in.
 
     inside: sheets go on inside at concave curves; else they take in the patch beyond, as at flat ones
     """
-    plan = _Plan(mesh, model, Groups(model, convex, inside), log)
+    plan = _Plan(mesh, model, Groups(model, inside))
     for _ in range(PASSES):
         if not plan.put_groups():
             break
@@ -151,8 +149,8 @@ def sheeted(mesh, model, convex=CONVEX, inside=True, log=None):
 
 
 class _Plan:
-    def __init__(self, mesh, model, groups, log):
-        self.mesh, self.model, self.groups, self.log = mesh, model, groups, log or (lambda text: None)
+    def __init__(self, mesh, model, groups):
+        self.mesh, self.model, self.groups = mesh, model, groups
         self.count, self.done, self.ringed = Counter(), set(), set()
 
     def put_groups(self):
@@ -166,7 +164,6 @@ class _Plan:
             elif not set(sides) & (need | self.done):
                 need.add(min(sides, key=lambda g: (sum(self.model.patches[k].area for k in self.groups.patches(g)), g)))
         need -= self.done
-        self.log(f"demands {dict(wanted.why)}, groups {sorted(need)}")
         for patches in self._apart([self._fitting(self.groups.patches(g)) for g in sorted(need)]):
             self._put_under(patches)
         return bool(need)
@@ -196,8 +193,7 @@ class _Plan:
             try:
                 self.mesh = self._sheet(patches, behind)
                 break
-            except Pinched as fault:
-                self.log(f"under {sorted(patches)}, behind {sorted(behind)}: {fault}")
+            except Pinched:
                 if not behind:
                     raise
                 patches = patches | self._whole(behind)
@@ -255,8 +251,7 @@ class _Plan:
             try:
                 self.mesh = round_patch(self.mesh, p)
                 self.count["rings"] += 1
-            except Pinched as fault:
-                self.log(f"ring round patch {p}: {fault}")
+            except Pinched:
                 self._put_tapes(p)
             self.ringed.add(p)
         return bool(todo)
@@ -274,6 +269,5 @@ class _Plan:
                 try:
                     self.mesh = along_curve(self.mesh, chain)
                     self.count["tapes"] += 1
-                except Pinched as fault:
+                except Pinched:
                     self.count["pinched"] += 1
-                    self.log(f"tape along curve {c}: {fault}")
