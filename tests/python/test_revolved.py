@@ -8,6 +8,8 @@ from mesh_checker import enclosed, faults
 import hexcon
 from hexcon.errors import FaultCode, ToolError
 from hexcon.quads import surface_from_solid
+from hexcon.quads.gmsh_worker.revolved import surface
+from hexcon.quads.gmsh_worker.revolved.axis import Axis
 
 FULL = 2 * np.pi
 
@@ -66,6 +68,21 @@ def test_auto_takes_it_about_any_axis(tmp_path):
     assert len(rings) == 1 and "round" in rings[0]
     again = surface_from_solid(tmp_path / "solid.brep", 4.0, "revolved")
     assert np.array_equal(surface.points, again.points) and np.array_equal(surface.quads, again.quads)
+
+
+@pytest.mark.parametrize("off,count", [(0.0, 28), (-0.004, 36), (0.004, 24), (-0.0099, 256), (-0.02, 12), (0.02, 12)])
+def test_the_number_round_is_finite(off, count):
+    """Also where the section's chords alone cut more of the volume than all may."""
+    class Rod:
+        faces, boundary = [1], {1: [1]}
+
+        def area(self, face):
+            return 1.0
+
+        def edge_points(self, edge, shares):
+            return np.array([[1.0, 0.0, z] for z in shares])
+    axis = Axis.through(np.zeros(3), np.array([0.0, 0.0, 1.0]))
+    assert surface._number_round(Rod(), axis, 0.5, off, 4) == count
 
 
 ROD = "[(3, occ.addCylinder(0, 0, 0, 0, 0, 9, 5))]"

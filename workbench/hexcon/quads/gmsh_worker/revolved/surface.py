@@ -89,7 +89,7 @@ def _outline(loops, size, least):
 def _number_round(solid, axis, size, off, step):
     """A multiple of step: from the mean radius of the faces, and more where the chords would cut too much.
 
-    off: what the section has of the volume's fault already
+    off: what the section has of the volume's fault already; where that is all that there may be, no number helps
     """
     moment = np.zeros(2)
     for face in solid.faces:
@@ -97,7 +97,7 @@ def _number_round(solid, axis, size, off, step):
         moment += area, area * _mean_radius(solid, axis, face)
     wanted = 2 * np.pi * moment[1] / moment[0] / size
     count = step * max(int(np.rint(wanted / step)), int(np.ceil(FEWEST_ROUND / step)))
-    while abs((1.0 + off) * np.sin(2 * np.pi / count) / (2 * np.pi / count) - 1.0) > MOST_VOLUME:
+    while abs(off) < MOST_VOLUME < abs((1.0 + off) * np.sin(2 * np.pi / count) / (2 * np.pi / count) - 1.0):
         count += step
     return count
 
