@@ -3,9 +3,8 @@
 import time
 
 from ..fault import WorkerFault
-from ..layered.fault import NotLayered
 from ..layered.roles import Role, Shape
-from ..layered.tries import DIRECTIONS, judged, search, surface_of
+from ..layered.tries import judged, least_of, search, surface_of
 from .features import features
 from .mesh import boxed_mesh
 from .whole import Skin
@@ -27,7 +26,7 @@ def boxed_surface(solid, size, link, timeout, care=0):
         raise WorkerFault("NOT_BOXED", "boxes were tried at larger sizes, down to parts of this one")
     begun = time.process_time()
     shape = Shape(solid, size)
-    directions, against = _directions(shape)
+    directions, against = least_of(shape, _across, TRIED, "none lies across")
     if not directions:
         raise WorkerFault("NOT_BOXED", f"no direction in which only round holes and bosses lie across: {against}")
     skin = Skin(solid)
@@ -40,19 +39,8 @@ def boxed_surface(solid, size, link, timeout, care=0):
     return surface_of(best, faults, "boxed", f"{boxes} box{'es' * (boxes > 1)}, ")
 
 
-def _directions(shape):
-    """(Directions to try: those with least area across; what stands against others.)"""
-    found, against = [], []
-    area = {f: shape.solid.area(f) for f in shape.solid.faces}
-    for direction in shape.directions(DIRECTIONS):
-        roles = shape.roles(direction)
-        part = sum(area[f] for f, role in roles.items() if role is Role.NONE) / sum(area.values())
-        try:
-            across = features(shape, direction, roles)
-        except NotLayered as fault:
-            against.append(str(fault))
-            continue
-        if 0 < len(across) <= MOST_FEATURES and part < MOST_CROSS:
-            found.append((round(part, 6), len(found), direction))
-    found.sort(key=lambda row: row[:2])
-    return [d for *_, d in found][:TRIED], "; ".join(against[:3]) or "none lies across"
+def _across(shape, direction):
+    """Part of the area that lies across; None where it is too much, or there is none. Raises NotLayered."""
+    roles = shape.roles(direction)
+    part = shape.part(f for f, role in roles.items() if role is Role.NONE)
+    return part if 0 < len(features(shape, direction, roles)) <= MOST_FEATURES and part < MOST_CROSS else None

@@ -39,6 +39,10 @@ class Shape:
         """{CAD face: Role}."""
         return {f: _role(n @ direction) for f, n in self.normals.items()}
 
+    def part(self, faces):
+        """Of the area of all faces."""
+        return sum(self.solid.area(f) for f in faces) / sum(self.solid.area(f) for f in self.solid.faces)
+
     def directions(self, most):
         """At most so many distinct unit axes (3,) of faces, those first that most area has."""
         axes, areas = [], []

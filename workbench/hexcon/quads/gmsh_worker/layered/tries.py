@@ -61,7 +61,7 @@ def layered_surface(solid, size, link, timeout, care=0):
         raise WorkerFault("NOT_LAYERED", "layers were tried at larger sizes, down to parts of this one")
     begun = time.process_time()
     shape = Shape(solid, size)
-    directions, refused = _directions(shape)
+    directions, refused = least_of(shape, _slanted, TRIED, "no face has an axis")
     if not directions:
         raise WorkerFault("NOT_LAYERED", "no direction in which every face lies across it, along it, or is seen from "
                           f"it: {refused}")
@@ -101,22 +101,34 @@ def search(directions, attempt, end, factors=FACTORS):
     return best, faults
 
 
-def _directions(shape):
-    """(Directions to try: those with least area that lies neither across nor along; what stands against others.)"""
+def least_of(shape, part_of, most, otherwise):
+    """(At most so many directions, those with the least part of the area; what stands against others, or otherwise).
+
+    part_of: callable (roles.Shape, direction) -> part of the area, None: it is none; NotLayered, with words, the same
+    """
     found, against = [], []
-    area = {f: shape.solid.area(f) for f in shape.solid.faces}
     for direction in shape.directions(DIRECTIONS):
-        roles = shape.roles(direction)
-        bad = [f for f, role in roles.items() if role is Role.NONE]
-        slanted = [f for f, n in shape.normals.items() if roles[f] in (Role.UP, Role.DOWN)
-                   and np.abs(n @ direction).min() < 1.0 - 1e-8]
-        part = sum(area[f] for f in slanted) / sum(area.values())
-        if bad or part > MOST_SLANTED:
-            against.append(f"along {named(direction)} " + ", ".join(f"Face{f}" for f in (bad or slanted)[:8]))
-        else:
+        try:
+            part = part_of(shape, direction)
+        except NotLayered as fault:
+            against.append(str(fault))
+            continue
+        if part is not None:
             found.append((round(part, 6), len(found), direction))
     found.sort(key=lambda row: row[:2])
-    return [d for *_, d in found][:TRIED], "; ".join(against[:3]) or "no face has an axis"
+    return [d for *_, d in found][:most], "; ".join(against[:3]) or otherwise
+
+
+def _slanted(shape, direction):
+    """Part of the area that lies neither across nor along. Raises NotLayered where that is too much, or hangs over."""
+    roles = shape.roles(direction)
+    bad = [f for f, role in roles.items() if role is Role.NONE]
+    slanted = [f for f, n in shape.normals.items() if roles[f] in (Role.UP, Role.DOWN)
+               and np.abs(n @ direction).min() < 1.0 - 1e-8]
+    part = shape.part(slanted)
+    if bad or part > MOST_SLANTED:
+        raise NotLayered(f"along {named(direction)} " + ", ".join(f"Face{f}" for f in (bad or slanted)[:8]))
+    return part
 
 
 def named(direction):
