@@ -51,14 +51,12 @@ class _Parts:
         """One loop, joined with each hole by a path there and back."""
         outer, holes = self._loops[0], self._loops[1:]
         while holes:
-            best = None
-            for h, hole in enumerate(holes):
-                cost = _costs(self._at(outer), self._at(hole))
-                sides = [self._at(x) for x in (outer, *holes)]
-                for i, j in _seen(cost, self._at(outer), self._at(hole), sides):
-                    if best is None or cost[i, j] < best[0]:
-                        best = cost[i, j], h, i, j
-                    break
+            best, p, sides = None, self._at(outer), [self._at(hole) for hole in holes]
+            for h, q in enumerate(sides):
+                cost = _costs(p, q)
+                i, j = next(_seen(cost, p, q, [p, *sides]), (None, None))
+                if i is not None and (best is None or cost[i, j] < best[0]):
+                    best = cost[i, j], h, i, j
             if best is None:
                 raise _NoSplit
             _, h, i, j = best
