@@ -13,14 +13,10 @@ def own_stations(box, standing):
     """{level: where it reaches the sides of a box, along its axis}, of a piece in it; its ends left out."""
     origin, on, found = float(box.feature.origin @ box.feature.axis), _outline(box, standing), {}
     for k, (column, stack) in enumerate(zip(standing.columns, standing.levels.stacks)):
-        pieces = _round_region(standing, column.region)
+        pieces = standing.arrangement.regions[column.region].pieces
         if pieces & on:
             found |= {level: _height(standing, pieces - on, k, level) - origin for level in stack[1:-1]}
     return found
-
-
-def _round_region(standing, region):
-    return {c for loop in standing.arrangement.regions[region].loops for c, _ in loop}
 
 
 def _height(standing, pieces, column, level):
@@ -152,7 +148,7 @@ def _ends(box, standing):
     """{level: where it ends a piece at the sides of its box, along its axis}."""
     origin, on, found = float(box.feature.origin @ box.feature.axis), _outline(box, standing), {}
     for column, stack in zip(standing.columns, standing.levels.stacks):
-        for c in _round_region(standing, column.region) & on:
+        for c in standing.arrangement.regions[column.region].pieces & on:
             for level, cap in ((stack[0], column.low), (stack[-1], column.high)):
                 found.setdefault(level, []).append(float(standing.heights.over_piece(c, cap).mean()) - origin)
     return {level: float(np.mean(along)) for level, along in found.items()}

@@ -6,6 +6,7 @@ from scipy.spatial import cKDTree
 from scipy.spatial.distance import cdist
 
 from ..grid.tessellation import Nearest, Tessellation
+from ..layered.extrude import once
 from ..layered.fault import NotLayered
 
 MOST_MOVED = 1500   # points on the sides of a box that are matched other than by place, which takes their cube of time
@@ -41,8 +42,7 @@ def joined(rest, pieces, skin, near):
     hexes = np.concatenate([new[m.hexes + s] for m, s in zip(meshes, starts)])
     quads = np.concatenate([new[m.quads + s] for m, s in zip(meshes, starts)])
     owner = np.concatenate([np.column_stack([np.full(len(m.quads), k), m.faces]) for k, m in enumerate(meshes)])
-    _, inverse, count = np.unique(np.sort(quads, axis=1), axis=0, return_inverse=True, return_counts=True)
-    alone = count[inverse] == 1
+    alone = once(quads)
     return points[used], hexes, quads[alone], owner[alone]
 
 

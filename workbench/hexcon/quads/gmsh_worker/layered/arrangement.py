@@ -4,9 +4,11 @@
 Curves are split where they cross and where another ends on them; pieces that lie on one another are one. So edges of
 the CAD that lie over one another at several heights are one piece, which knows them all.
 """
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from ..plane_mesh import polygon_area
@@ -47,12 +49,16 @@ class Piece:
 
 @dataclass
 class Region:
-    """loops: of (piece, forward), with the region on the left: the outer one first; area, width: in the plane."""
+    """loops: of (piece, forward), with the region on the left: the outer one first; width: twice its area by what is
+    round it."""
 
     loops: list
-    area: float
     width: float
-    line: list = field(default_factory=list)
+
+    @property
+    def pieces(self):
+        """The set of pieces round it."""
+        return {c for loop in self.loops for c, _ in loop}
 
 
 @dataclass
@@ -114,21 +120,10 @@ def _proper(a, b, tolerance):
 def _vertices(curves, crossing, tolerance):
     """(n,2) ends of curves and crossings, those within the tolerance taken as one: the first of them."""
     points = np.concatenate([np.array([c.xy[k] for c in curves for k in (0, -1)]).reshape(-1, 2), crossing])
-    root = np.arange(len(points))
-    for a, b in sorted(cKDTree(points).query_pairs(tolerance)):
-        ra, rb = a, b
-        while root[ra] != ra:
-            ra = root[ra]
-        while root[rb] != rb:
-            rb = root[rb]
-        root[max(ra, rb)] = min(ra, rb)
-    return points[np.unique([_root(root, k) for k in range(len(points))])]
-
-
-def _root(root, k):
-    while root[k] != k:
-        k = root[k]
-    return k
+    a, b = cKDTree(points).query_pairs(tolerance, output_type="ndarray").T
+    near = coo_matrix((np.ones(len(a)), (a, b)), shape=(len(points), len(points)))
+    _, part = connected_components(near, directed=False)
+    return points[np.sort(np.unique(part, return_index=True)[1])]
 
 
 def _split(curves, vertices, tolerance):
@@ -199,7 +194,7 @@ def _regions(vertices, pieces):
     for r, (loops_of, k) in enumerate(zip(regions, outer)):
         around = sum(_length(pieces[c].line) for loop in loops_of for c, _ in loop)
         area = areas[k] + sum(polygon_area(_polygon(pieces, lp)) for lp in loops_of[1:])
-        made.append(Region(loops_of, area, 2 * area / max(around, 1e-300)))
+        made.append(Region(loops_of, 2 * area / max(around, 1e-300)))
         for loop in loops_of:
             for c, forward in loop:
                 if forward:

@@ -78,7 +78,7 @@ class Places:
 def extrude(shape, plane, arrangement, columns, levels, heights, flat, roles, size, layers=None):
     """The LayeredMesh. layers: as mesh.Standing.mesh takes it. Raises NotLayered."""
     places = Places(shape, plane, arrangement, heights, flat)
-    around = {r: sorted({c for loop in arrangement.regions[r].loops for c, _ in loop}) for r in flat.quads}
+    around = {r: sorted(arrangement.regions[r].pieces) for r in flat.quads}
     nodes_of = {r: np.unique(q) for r, q in flat.quads.items()}
     sheets = _sheets(places, columns, levels, around, nodes_of, size)
     rings = _rings(columns, levels, nodes_of, sheets, plane, size, layers or (lambda *_: None))
@@ -181,7 +181,7 @@ class _Build:
                            np.full(len(quads), column.high if top else 0), np.full(4 * len(quads), _WALL)]
         points = np.concatenate(self._points)
         hexes, faces, owners = np.concatenate(hexes), np.concatenate(faces), np.concatenate(owners)
-        alone = _once(faces)
+        alone = once(faces)
         quads, owners = faces[alone], owners[alone]
         walls = np.flatnonzero(owners == _WALL)
         owners[walls] = self._wall_faces(arrangement, roles, points, quads[walls])
@@ -242,7 +242,7 @@ class _Build:
         return found
 
 
-def _once(faces):
-    """Rows of the faces that come once."""
+def once(faces):
+    """Rows of the faces that come once, in whichever sense."""
     _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
     return np.sort(first[count == 1])

@@ -14,7 +14,6 @@ class FlatEdge:
         self.fractions = np.linspace(0.0, 1.0, 2 if solid.is_line(edge) else SAMPLES)
         self.xy = self.at(self.fractions)
         self.low, self.high = self.xy.min(0), self.xy.max(0)
-        self.closed = solid.ends[edge][0] == solid.ends[edge][1]
 
     def at(self, fractions):
         """(n,2) places at fractions."""

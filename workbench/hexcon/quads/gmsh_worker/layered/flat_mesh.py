@@ -36,7 +36,7 @@ class FlatMesh:
 
 def flat_mesh(arrangement, used, size, link, fixed=None):
     """The FlatMesh of regions. fixed: as mesh.Standing.mesh takes it. Raises NotLayered."""
-    pieces = sorted({c for r in used for loop in arrangement.regions[r].loops for c, _ in loop})
+    pieces = sorted(set().union(*(arrangement.regions[r].pieces for r in used)))
     outlines = {r: _Outline(arrangement, arrangement.regions[r].loops) for r in used}
     held = {k: n for k, c in enumerate(pieces) if fixed and (n := fixed(arrangement.pieces[c]))}
     regions = _Regions(arrangement, outlines, size, link)

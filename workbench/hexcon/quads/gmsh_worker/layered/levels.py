@@ -25,6 +25,7 @@ class Levels:
         for k, c in enumerate(columns):
             of_region.setdefault(c.region, []).append(k)
         self._beside = [(c, of_region.get(a, []), of_region.get(b, [])) for c, a, b in arrangement.neighbours()]
+        self._of_piece = {c: left + right for c, left, right in self._beside}
         self._members = {x: {x} for x in self._root}
         self._walls = set()
         self._join_continuous()
@@ -158,8 +159,6 @@ class Levels:
 
     def beside(self, c):
         """Columns on either side of a piece of the arrangement; none where it has one region on both."""
-        if not hasattr(self, "_of_piece"):
-            self._of_piece = {p: left + right for p, left, right in self._beside}
         return self._of_piece.get(c, [])
 
     def _stack(self, k, levels):
