@@ -3,6 +3,17 @@
 import pytest
 
 
+@pytest.fixture(scope="module")
+def gmsh_running():
+    """gmsh as the worker has it, with an empty model."""
+    import gmsh
+    gmsh.initialize([], False)
+    gmsh.option.setNumber("General.Terminal", 0)
+    gmsh.model.add("solid")
+    yield
+    gmsh.finalize()
+
+
 @pytest.fixture
 def features(tmp_path):
     """callable(build, size): grid Features of the one solid that build(gmsh.model.occ) leaves; smooth: as Features."""

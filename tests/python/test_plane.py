@@ -9,15 +9,7 @@ from hexcon.quads.gmsh_worker.plane.split import split_mesh
 from hexcon.quads.gmsh_worker.plane.wishes import wishes
 from hexcon.quads.gmsh_worker.templates import TEMPLATES
 
-
-@pytest.fixture(autouse=True, scope="module")
-def gmsh_running():
-    import gmsh
-    gmsh.initialize([], False)
-    gmsh.option.setNumber("General.Terminal", 0)
-    gmsh.model.add("solid")
-    yield
-    gmsh.finalize()
+pytestmark = pytest.mark.usefixtures("gmsh_running")
 
 
 def polygon(corners, counts):

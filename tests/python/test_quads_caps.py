@@ -13,6 +13,7 @@ from hexcon.quads.gmsh_worker.outline import Outline, balanced, least_count, wit
 from hexcon.quads.gmsh_worker.plane_mesh import coons, harmonic
 from hexcon.quads.gmsh_worker.recognise import candidates
 
+pytestmark = pytest.mark.usefixtures("gmsh_running")
 BRACKET = pathlib.Path(__file__).parents[2] / "resources" / "examples" / "bracket.step"
 
 
@@ -98,16 +99,6 @@ def round_outline(outer, holes, size):
                 for (x, y, r, g), (s,) in zip(circles, shares)]
     return Outline([np.array([2 * np.pi * r / size]) for _, _, r, _ in circles], [np.array([12])] * len(circles),
                    [np.zeros(1)] * len(circles), [np.array([g * np.pi / 2]) for *_, g in circles], place, place, size)
-
-
-@pytest.fixture(autouse=True, scope="module")
-def gmsh_running():
-    import gmsh
-    gmsh.initialize([], False)
-    gmsh.option.setNumber("General.Terminal", 0)
-    gmsh.model.add("solid")
-    yield
-    gmsh.finalize()
 
 
 def _area(points, quads):
