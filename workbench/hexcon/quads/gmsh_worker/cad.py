@@ -5,6 +5,7 @@ Numbers are gmsh's tags. For a file with one solid and nothing else they are the
 FreeCAD's Face1, Face2, ... (both walk the shape with TopExp_Explorer).
 Lengths are in the units of the file (millimetres for STEP).
 """
+import contextlib
 from functools import cached_property
 
 import gmsh
@@ -32,6 +33,18 @@ def load(path):
         raise WorkerFault("BAD_SHAPE", f"the shape holds {len(volumes)} solids{_boxes(volumes)}; exactly one is needed"
                           + (": choose it by --solid N" if volumes else ""))
     return Solid(volumes[0])
+
+
+@contextlib.contextmanager
+def other_model(name):
+    """A gmsh model of its own while it lasts; then the one before is the current one again."""
+    before = gmsh.model.getCurrent()
+    gmsh.model.add(name)
+    try:
+        yield
+    finally:
+        gmsh.model.remove()
+        gmsh.model.setCurrent(before)
 
 
 def _boxes(volumes):

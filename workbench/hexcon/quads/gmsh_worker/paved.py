@@ -6,6 +6,7 @@ The outline becomes a polygon of its own gmsh model, so that no CAD seam or peri
 import gmsh
 import numpy as np
 
+from .cad import other_model
 from .outline import rounded, with_total
 
 # (road, gmsh's Mesh.Algorithm, density relative to the wanted one)
@@ -50,9 +51,7 @@ def direct_mesh(loops, size, algorithm):
 
 def _polygon_mesh(loops, size, algorithm):
     """(points, triangles, quads); the boundary points come first, in order; counter-clockwise."""
-    before = gmsh.model.getCurrent()
-    gmsh.model.add("outline")
-    try:
+    with other_model("outline"):
         for name, value in (("Algorithm", algorithm), ("RecombinationAlgorithm", 1), ("SubdivisionAlgorithm", 0),
                             ("MeshSizeMin", 0.0), ("MeshSizeMax", 1.5 * size), ("MeshSizeExtendFromBoundary", 1),
                             ("MeshSizeFromPoints", 1), ("Smoothing", 5)):
@@ -72,9 +71,6 @@ def _polygon_mesh(loops, size, algorithm):
         gmsh.model.geo.synchronize()
         gmsh.model.mesh.generate(2)
         return _collect(face, count)
-    finally:
-        gmsh.model.remove()
-        gmsh.model.setCurrent(before)
 
 
 def _collect(face, boundary):

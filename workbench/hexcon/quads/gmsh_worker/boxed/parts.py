@@ -11,26 +11,17 @@ from ..layered.fault import NotLayered
 @contextlib.contextmanager
 def outside(path, boxes):
     """[cad.Solid] of what boxes leave of the solid of a file, in a model of their own while they last."""
-    with _model(path) as solid:
+    with cad.other_model("part"):
+        solid = gmsh.model.occ.importShapes(path)
         yield _parts(solid, [tag for box in boxes for tag in box.blocks()], gmsh.model.occ.cut)
 
 
 @contextlib.contextmanager
 def inside(path, box, outline):
     """[cad.Solid] of what lies in a box; outline (n,2): points on its sides at which their faces are split."""
-    with _model(path) as solid:
+    with cad.other_model("part"):
+        solid = gmsh.model.occ.importShapes(path)
         yield _parts(solid, [box.prism(outline, *box.ends)], gmsh.model.occ.intersect)
-
-
-@contextlib.contextmanager
-def _model(path):
-    before = gmsh.model.getCurrent()
-    gmsh.model.add("part")
-    try:
-        yield gmsh.model.occ.importShapes(path)
-    finally:
-        gmsh.model.remove()
-        gmsh.model.setCurrent(before)
 
 
 def _parts(solid, tools, operation):

@@ -277,20 +277,15 @@ def inner_point(arrangement, region):
     polygons = [_polygon(arrangement.pieces, loop) for loop in region.loops]
     low, high = polygons[0][:, 1].min(), polygons[0][:, 1].max()
     best, room = None, -1.0
-    edges = np.concatenate([np.stack([p[:-1], p[1:]], 1) for p in polygons])
+    a, b = (np.concatenate([p[ends] for p in polygons]) for ends in (slice(None, -1), slice(1, None)))
     for y in low + (high - low) * np.array([0.5, 0.31, 0.72, 0.13, 0.87, 0.43, 0.61]):
-        a, b = edges[:, 0], edges[:, 1]
         up = (a[:, 1] > y) != (b[:, 1] > y)
         x = np.sort(a[up, 0] + (y - a[up, 1]) / (b[up, 1] - a[up, 1]) * (b[up, 0] - a[up, 0]))
         for x0, x1 in zip(x[::2], x[1::2]):
             p = np.array([(x0 + x1) / 2, y])
-            d = _distance(edges, p)
+            d = float(np.linalg.norm(on_segments(p, a, b)[0] - p, axis=1).min())
             if d > room:
                 best, room = p, d
     if best is None:
         raise NotLayered("a region has no inside")
     return best
-
-
-def _distance(edges, point):
-    return float(np.linalg.norm(on_segments(point, edges[:, 0], edges[:, 1])[0] - point, axis=1).min())
