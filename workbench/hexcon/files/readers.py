@@ -28,8 +28,8 @@ def _refuse_stl(path):
 
 _VTK, _GMSH = _by("mesh", "VTK"), _by("mesh", "gmsh")
 
-# ending -> callable(path) -> contents.Contents; those by _by take progress too, and file_worker/mesh.py says which library
-# reads what. Of the others each says why no library does.
+# ending -> callable(path) -> contents.Contents; those by _by take progress too, and file_worker/mesh.py says which
+# library reads what. Of the others each says why no library does.
 READERS = {
     ".inp": read_deck, ".unv": read_unv, ".msh": _GMSH, ".vtk": _VTK, ".vtu": _VTK, ".mesh": read_medit,
     ".obj": read_obj, ".med": _by("med", "FreeCAD"), ".fcstd": _by("document", "FreeCAD"), ".bdf": read_nastran,
