@@ -10,7 +10,7 @@ fuzz="$build clang libclang-rt-dev"
 case "$1" in
   run) packages=$run ;;
   fuzz) packages=$fuzz ;;
-  test) packages="$run $fuzz libcmocka-dev python3-pytest python3-pytest-xdist tetgen imagemagick libxtst6 pkg-config" ;;
+  test) packages="$run $fuzz libcmocka-dev python3-pytest python3-pytest-xdist python3-h5py tetgen imagemagick libxtst6 pkg-config" ;;
   lint) packages="$build python3-mypy libcmocka-dev clang-format clang-tidy cppcheck shellcheck"
         # Debian has no ruff; npm has it, as WebAssembly.
         command -v npm >/dev/null || packages="$packages nodejs npm" ;;

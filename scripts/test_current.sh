@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 folder=${1:-${XDG_CACHE_HOME:-$HOME/.cache}/hexcon/forky}
 mirror=${HEXCON_MIRROR:-http://deb.debian.org/debian}
 packages="freecad freecad-python3 calculix-ccx python3-gmsh gcc libc6-dev make cmake ninja-build python3-dev python3-numpy
-  python3-scipy python3-vtk9 python3-meshio python3-pytest python3-pytest-xdist xvfb xauth libcmocka-dev git imagemagick
+  python3-scipy python3-vtk9 python3-meshio python3-pytest python3-pytest-xdist python3-h5py xvfb xauth libcmocka-dev git imagemagick
   libgl1-mesa-dri libxtst6 pkg-config tetgen ca-certificates"
 # What differs between systems: files, programs that are called, what libraries draw. The rest is of numpy and our own C.
 chosen="tests/freecad tests/gui tests/python/test_files.py tests/python/test_solver_files.py tests/python/test_reading.py

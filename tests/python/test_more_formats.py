@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Other formats as people's programs write them: the box of deck_texts, 24 quads or 8 hexes, or a refusal by name."""
+import gmsh
 import meshio
 import numpy as np
 import pytest
 from deck_texts import BOX, GRID, HEXES, OUTER, elements, nodes, with_middles
 from quad_figures import volume_of
 
+import hexcon_native as hn
 from hexcon.errors import FaultCode, HexconError
 from hexcon.files import read_mesh
 from hexcon.meshing import mesh_quad_surface
@@ -152,6 +154,61 @@ def test_twenty_nodes_of_nastran(tmp_path):
     for k, (a, b) in enumerate(ends):
         middle = found.points[found.hexes[0, [a, b]]].mean(axis=0)
         assert np.allclose(found.points[found.hexes[0, 8 + k]], middle)
+
+
+@pytest.mark.parametrize("form", (0, 1, 2))
+@pytest.mark.parametrize("nodes_of_a_hex", (20, 27))
+def test_second_order_nastran_of_gmsh(tmp_path, nodes_of_a_hex, form):
+    """Free, small and long fields. Gmsh writes 27 nodes into CHEXA, 9 into CQUAD9, which Nastran does not know."""
+    gmsh.initialize(readConfigFiles=False)
+    try:
+        gmsh.option.setNumber("General.Terminal", 0)
+        box = gmsh.model.occ.addBox(0, 0, 0, 10, 20, 30)
+        gmsh.model.occ.synchronize()
+        for _, curve in gmsh.model.getEntities(1):
+            gmsh.model.mesh.setTransfiniteCurve(curve, 3)
+        for _, face in gmsh.model.getEntities(2):
+            gmsh.model.mesh.setTransfiniteSurface(face)
+            gmsh.model.mesh.setRecombine(2, face)
+        gmsh.model.mesh.setTransfiniteVolume(box)
+        gmsh.option.setNumber("Mesh.BdfFieldFormat", form)
+        gmsh.option.setNumber("Mesh.SecondOrderIncomplete", nodes_of_a_hex == 20)
+        gmsh.model.mesh.generate(3)
+        gmsh.model.mesh.setOrder(2)
+        gmsh.write(str(tmp_path / "m.bdf"))
+    finally:
+        gmsh.finalize()
+    mesh = read_mesh(tmp_path / "m.bdf")
+    assert len(mesh.hexes) == 8 and mesh.order == 2 and np.isclose(volume_of(mesh.points, mesh.quads), 6000)
+    assert hn.certify(mesh.points, mesh.hexes, mesh.quads).certified
+
+
+_WHOLE = {"ascii.vtk": legacy(HEXES, 12, "CELL_DATA 8\nSCALARS part int 1\nLOOKUP_TABLE default\n" + "1\n" * 8
+                              + "POINT_DATA 27\nVECTORS moved float\n" + "0 0 1\n" * 27),
+          "polygons.vtk": SURFACES["polygons.vtk"], "rectilinear.vtk": _VTK + "RECTILINEAR_GRID\nDIMENSIONS 3 3 3\n"
+          "X_COORDINATES 3 double\n0 5 10\nY_COORDINATES 3 double\n0 10 20\nZ_COORDINATES 3 double\n0 15 30\n"}
+
+
+@pytest.mark.parametrize("name", (*_WHOLE, "binary.vtk", "binary_51.vtk", "xml.vtu"))
+def test_a_vtk_file_that_is_cut_short(tmp_path, name):
+    """Told as such, with the section and the place, before VTK dies of it or leaves out what is missing."""
+    path = tmp_path / name
+    if name in _WHOLE:
+        whole = _WHOLE[name].rstrip().encode("ascii")
+    else:
+        mesh = meshio.Mesh(GRID, [("hexahedron", HEXES)], cell_data={"part": [np.arange(8)]})
+        mesh.write(path, **{"binary.vtk": {"file_format": "vtk42", "binary": True},
+                            "binary_51.vtk": {"file_format": "vtk", "binary": True}}.get(name, {}))
+        whole = path.read_bytes().rstrip(b"\n" if name == "xml.vtu" else b"")
+    path.write_bytes(whole)
+    read = surface_from_file if name == "polygons.vtk" else read_mesh
+    read(path)
+    for part in (0.6, 0.8, 0.9, 0.999):
+        path.write_bytes(whole[:int(part * len(whole)) - 1])
+        with pytest.raises(HexconError) as caught:
+            read(path)
+        assert "cut short" in str(caught.value) and "byte" in str(caught.value) and name in str(caught.value)
+        assert caught.value.code is FaultCode.FILE_FORMAT
 
 
 # name of the file: (text, code, words)

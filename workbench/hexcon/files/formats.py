@@ -36,7 +36,8 @@ FORMATS = (
            "hexes; groups and CAD faces as arrays on the sides of hexes (H,6), node groups as arrays of "
            "0 and 1",
            "other data; what is no cell of a surface or volume. Gmsh 4.15 opens no binary `.vtk`, its own "
-           "neither: take `.msh` for it"),
+           "neither: take `.msh` for it. ParaView 6.1 and PyVista 0.48 open both orders, but VTK 9.6 gives a "
+           "twelfth of the volume of quadratic hexes, of its own too"),
     Format("VTK XML, others", (".vtp", ".vts", ".vtr", ".vti",), "VTK",
            "as .vtu",
            "",
@@ -65,8 +66,8 @@ FORMATS = (
            "surfaces only",
            "ridges, required entities; binary is refused"),
     Format("Nastran", (".bdf", ".nas",), "HexCon",
-           "GRID in the basic system, CQUAD4, CQUAD8, CQUADR, CHEXA of 8 and 20 nodes, free, small and "
-           "long fields, includes; properties of quads as groups",
+           "GRID in the basic system, CQUAD4, CQUAD8, CQUADR, CHEXA of 8 and 20 nodes, and of 27 as gmsh writes "
+           "them, free, small and long fields, includes; properties of quads as groups",
            "",
            "loads, materials; other coordinate systems are refused"),
     Format("Exodus II", (".exo", ".e", ".ex2",), "VTK",
@@ -74,9 +75,9 @@ FORMATS = (
            "block of hexes, side sets of CAD faces and groups, node sets",
            "variables; names beyond 32 characters"),
     Format("CGNS", (".cgns",), "VTK",
-           "unstructured and structured zones",
+           "unstructured and structured zones; files of gmsh by VTK 9.6 (9.1 finds no elements in them: refused)",
            "",
-           "boundary conditions, flow data"),
+           "boundary conditions, flow data; zones are not merged (`hexcon repair --merge-tolerance` does)"),
     Format("Stanford", (".ply",), "VTK",
            "quads",
            "",

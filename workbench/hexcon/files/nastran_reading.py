@@ -10,19 +10,22 @@ import re
 import numpy as np
 
 from hexcon.errors import FaultCode, ToolError
-from hexcon.femmesh.node_orders import HEX20, places_of
+from hexcon.femmesh.node_orders import HEX20, HEX27_GMSH, places_of
 from hexcon.labels import rows_of
 
 from .contents import Contents, Group
 from .regular import regular_file
 from .text import real
 
-_FLAT = {"CQUAD4": (4,), "CQUADR": (4,), "CSHEAR": (4,), "CQUAD8": (8, 4), "CQUAD": (9, 8, 4), "CTRIA3": (3,),
-         "CTRIAR": (3,), "CTRIA6": (6, 3)}
-_SOLID = {"CHEXA": (20, 8), "CTETRA": (10, 4), "CPENTA": (15, 6), "CPYRAM": (13, 5)}
+_FLAT = {"CQUAD4": (4,), "CQUADR": (4,), "CSHEAR": (4,), "CQUAD8": (8, 4), "CQUAD": (9, 8, 4), "CQUAD9": (9,),
+         "CTRIA3": (3,), "CTRIAR": (3,), "CTRIA6": (6, 3)}
+_SOLID = {"CHEXA": (27, 20, 8), "CTETRA": (10, 4), "CPENTA": (15, 6), "CPYRAM": (13, 5)}
 _KIND = {3: "triangle", 6: "triangle6", 4: "quad", 8: "quad8", 9: "quad9"}
-_SOLID_KIND = {"CHEXA": {8: "hexahedron", 20: "hexahedron20"}, "CTETRA": {4: "tetra", 10: "tetra10"},
+_SOLID_KIND = {"CHEXA": {8: "hexahedron", 20: "hexahedron20", 27: "hexahedron27"},
+               "CTETRA": {4: "tetra", 10: "tetra10"},
                "CPENTA": {6: "wedge", 15: "wedge15"}, "CPYRAM": {5: "pyramid", 13: "pyramid13"}}
+# Nastran has no hex of 27 nodes: gmsh writes its own as CHEXA, and CQUAD9, in its own sequence.
+_SEQUENCE = {"hexahedron20": places_of(HEX20["Nastran CHEXA"]), "hexahedron27": places_of(HEX27_GMSH)}
 _REFUSED = ("CQUADX", "CTRIAX", "CTRIAX6", "GRDSET", "CHEX", "CIHEX1", "CIHEX2", "CHEXA1", "CHEXA2")
 
 
@@ -156,8 +159,8 @@ class _Nastran:
             except (ValueError, OverflowError) as error:
                 raise ToolError(f"{self.path}: a {kind} names a GRID that is not defined: {error}",
                                 FaultCode.FILE_FORMAT) from error
-            if kind == "hexahedron20":
-                cells[kind] = cells[kind][:, places_of(HEX20["Nastran CHEXA"])]
+            if kind in _SEQUENCE:
+                cells[kind] = cells[kind][:, _SEQUENCE[kind]]
             numbers = np.array(self.properties[kind])
             found = np.unique(numbers)
             if kind.startswith("quad") and len(found) > 1:

@@ -5,13 +5,12 @@ import sys
 
 import numpy as np
 
-from . import cad, session
+from . import cad, session, short_edges
 from .cad_fit import cad_fit
 from .chord_sizes import within
 from .fault import WorkerFault
 from .methods import METHOD_TABLE, VOLUME_ERROR, tried_by_auto
 from .nearness import check_corners, distances
-from .short_edges import short_edges, words
 from .wanted_sizes import wanted_sizes
 
 MOST_QUADS = 5e6    # more is a slip of the keyboard, and would fill the memory
@@ -58,14 +57,14 @@ def _made(row, solid, job, link, notes):
     cavities = 0 if row.cavities else cad.count_shells(solid) - 1
     if cavities:
         raise WorkerFault(row.refusal, f"the solid has cavities, {cavities} in number")
-    solid, left_out = _without_short_edges(solid, job["size"]) if row.leaves_out else (solid, [])
+    solid, short = _without_short_edges(solid, job["size"], row.leaves_out)
     module, _, function = row.maker.rpartition(".")
     make = getattr(importlib.import_module(f".{module}", __package__), function)
     offered = {"method": row.name, "care": job["care"], "timeout": job["timeout"]}
     limit = job["volume_error"] or (VOLUME_ERROR if row.spares_volume else 0.0)
 
     def arrays(mesh):
-        return _arrays(solid, mesh, job["size"], row.name, notes + mesh["notes"] + left_out)
+        return _arrays(solid, mesh, job["size"], row.name, notes + mesh["notes"] + short)
     link.kept_as(arrays)
 
     def made(size, sizes):
@@ -82,15 +81,15 @@ def _made(row, solid, job, link, notes):
     return arrays(mesh)
 
 
-def _without_short_edges(solid, size):
-    """(Solid, notes)."""
-    short = short_edges(solid, size)
+def _without_short_edges(solid, size, leaves_out):
+    """(Solid, notes); leaves_out: the method takes a Solid without some of its edges."""
+    short = short_edges.short_edges(solid, size) if leaves_out else []
+    told = short_edges.left_out(solid, short) + short_edges.kept(solid, size, short)
     if not short:
-        return solid, []
-    told = words(solid, short)
+        return solid, told
     solid = cad.Solid(solid.volume)
     solid.leave_out(short)
-    return solid, [told]
+    return solid, told
 
 
 def _arrays(solid, mesh, size, method, notes):

@@ -28,11 +28,22 @@ def short_edges(solid, size):
     return found
 
 
-def words(solid, edges):
-    """What is said of edges that are left out; "" for none."""
+def left_out(solid, edges):
+    """[what is said of edges that are left out], empty for none."""
+    return _told(solid, edges, "and taken as points")
+
+
+def kept(solid, size, edges):
+    """[what is said of the Solid's edges that are as short and not among those left out]: the mesh is as thin there."""
+    short = [e for e in solid.edges if e not in edges and solid.length(e) < SHORT * size]
+    return _told(solid, short, "and kept: elements are as thin there, so look whether the CAD means them")
+
+
+def _told(solid, edges, what):
     told = [f"Edge{e} ({solid.length(e):.2g} long, at "
             + "({:.6g}, {:.6g}, {:.6g}))".format(*solid.vertex[solid.ends[e][0]]) for e in edges[:10]]
-    return f"shorter than {SHORT:g} of the size and taken as points: {', '.join(told)}" if edges else ""
+    told += [f"{len(edges) - 10} more"] if len(edges) > 10 else []
+    return [f"shorter than {SHORT:g} of the size {what}: {', '.join(told)}"] if edges else []
 
 
 def _extent(solid, vertices):

@@ -8,6 +8,7 @@ from vtkmodules.vtkCommonCore import vtkObject
 
 from hexcon.femmesh.hexahedron import FACES
 
+from .cut_short import check_legacy, check_xml
 from .mesh import groups_of_fields, joined, mesh_arrays
 
 # VTK's cell type -> meshio's name, number of points
@@ -62,6 +63,10 @@ def _check_head(path, ending):
         raise ValueError("not a PLY file")
     if ending != ".ply" and b"vtk" not in head:
         raise ValueError("not a VTK file")
+    if ending == ".vtk":
+        check_legacy(path)
+    elif ending != ".ply":
+        check_xml(path)
 
 
 def _reader(ending):

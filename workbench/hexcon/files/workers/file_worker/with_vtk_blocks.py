@@ -4,7 +4,7 @@ import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkCommonCore import vtkObject, vtkVersion
 
 from .mesh import joined, mesh_arrays
 from .with_vtk import arrays_of
@@ -34,7 +34,12 @@ def _cgns(path):
     if not count:
         raise ValueError("VTK finds no cells in it")
     together.Update()
-    return arrays_of(together.GetOutput())
+    found = arrays_of(together.GetOutput())
+    if not any(str(kind).startswith(("quad", "hexahedron")) for kind in found["kinds"]):    # gmsh's files, VTK 9.1
+        raise ValueError(f"VTK {vtkVersion.GetVTKVersion()} finds no quads and no hexes in it, only "
+                         + ", ".join(f"{count} {kind}" for kind, count in zip(found["kinds"], found["counts"]))
+                         + "; later versions (9.6) find more in some files")
+    return found
 
 
 def _leaves(blocks):
