@@ -31,7 +31,7 @@ import zipfile
 import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent), str(HERE.parents[1] / "workbench" / "hexcon" / "files" / "workers")]
+sys.path[:0] = [str(HERE), str(HERE.parent), str(HERE.parents[1] / "workbench" / "hexcon" / "files" / "workers")]
 from hex_grids import block, distorted  # noqa: E402
 
 from hexcon import answers, child, files, gmsh_process  # noqa: E402
@@ -42,7 +42,7 @@ from hexcon.quads import surface_from_file, surface_from_solid  # noqa: E402
 
 SECONDS, MEMORY = 2.0, 2 << 30      # of processor time and address space, for a file of a few kilobytes
 PATIENCE = 10                       # times those seconds by the clock: other work may take the processor
-IN_PROCESS = ("msh", "inp", "obj", "mesh")      # read by Python alone
+IN_PROCESS = ("msh", "inp", "obj", "mesh", "nastran", "off")      # read by Python alone
 BASES = 6                           # whole files of each kind, damaged in turn
 
 
@@ -103,6 +103,55 @@ def _vtk_poly(binary):
                     + "\n".join(" ".join(map(str, q)) for q in counted.tolist()) + "\n").encode()
         pathlib.Path(path).write_bytes(data)
     return ".vtk", make
+
+
+def _nastran(path, number):
+    """Quads, or hexes, in small, long and free fields."""
+    elements = elements_of(_hexes(number))
+    rows, card = (elements.hexes, "CHEXA") if number % 2 else (elements.quads, "CQUAD4")
+    lines = []
+    for k, place in enumerate(elements.points.tolist(), 1):
+        x, y, z = (f"{value:.9E}" if number % 3 == 1 else f"{value:.4f}" for value in place)
+        lines += {0: [f"GRID    {k:>8}        {x:>8}{y:>8}{z:>8}"], 2: [f"GRID,{k},,{x},{y},{z}"],
+                  1: [f"GRID*   {k:>16}{'':16}{x:>16}{y:>16}", f"*       {z:>16}"]}[number % 3]
+    for k, row in enumerate((rows + 1).tolist(), 1):
+        lines += [f"{card},{k},1," + ",".join(map(str, row[:6]))] + ([f",{row[6]},{row[7]}"] if len(row) == 8 else [])
+    pathlib.Path(path).write_text("\n".join(["BEGIN BULK", *lines, "ENDDATA", ""]), encoding="ascii")
+
+
+def _off(path, number):
+    elements = elements_of(_hexes(number))
+    lines = ["OFF", f"{len(elements.points)} {len(elements.quads)} 0"]
+    lines += [" ".join(map(repr, place)) for place in elements.points.tolist()]
+    lines += [" ".join(map(str, (4, *row))) for row in elements.quads.tolist()]
+    pathlib.Path(path).write_text("\n".join([*lines, ""]), encoding="ascii")
+
+
+def _ply(path, number):
+    import meshio
+    elements = elements_of(_hexes(number))
+    meshio.write(path, meshio.Mesh(elements.points, [("quad", elements.quads.astype(np.int32))]), binary=number % 2 == 0)
+
+
+def _vtp(path, number):
+    from vtkmodules.vtkIOLegacy import vtkPolyDataReader
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+    _vtk_poly(True)[1](str(path) + ".vtk", number)
+    reader, writer = vtkPolyDataReader(), vtkXMLPolyDataWriter()
+    reader.SetFileName(str(path) + ".vtk")
+    writer.SetInputConnection(reader.GetOutputPort())
+    writer.SetFileName(str(path))
+    (writer.SetDataModeToAscii if number % 2 else writer.SetDataModeToBinary)()
+    writer.Write()
+    os.remove(str(path) + ".vtk")
+
+
+def _cgns(path, number):
+    import cgns_files
+    if number == 5:
+        cgns_files.write_structured(path)
+    else:
+        cgns_files.write(path, list(cgns_files.HEX_SECTIONS.values())[number], zones=1 + number % 2)
 
 
 def _vtu_by_vtk(mode):
@@ -183,6 +232,8 @@ KINDS = {
     "vtu-appended-base64": _vtu_by_vtk("base64"),
     "obj": _by_meshio(".obj", file_format="obj"),
     "mesh": _by_meshio(".mesh", file_format="medit"),
+    "nastran": (".bdf", _nastran), "off": (".off", _off), "ply": (".ply", _ply), "vtp": (".vtp", _vtp),
+    "exo": _by_hexcon(".exo"), "cgns": (".cgns", _cgns),
     "med": _by_hexcon(".med"),
     "FCStd": (".FCStd", _document),
     "step": (".step", _shape), "brep": (".brep", _shape),
@@ -201,12 +252,13 @@ def _read(kind, path):
         return [lambda: surface_from_solid(path, 4.0, "sweep", timeout=3 * SECONDS)]
     if kind in ("FCStd", "step", "brep"):
         return [lambda: solid.solid_as_brep(path, path + ".of.brep")]
-    if kind == "med":
+    if kind in ("med", "exo", "cgns"):
         return [lambda: files.read_mesh(path)]
-    if kind in ("obj", "inp-quads", "unv-quads") or "polydata" in kind:
+    if kind in ("obj", "inp-quads", "unv-quads", "off", "ply", "vtp") or "polydata" in kind:
         return [lambda: surface_from_file(path)]
-    if kind in ("inp-hexes", "unv-hexes", "mesh"):
-        return [lambda: files.read_mesh(path)] + ([lambda: surface_from_file(path)] if kind == "mesh" else [])
+    if kind in ("inp-hexes", "unv-hexes", "mesh", "nastran"):
+        surface_too = kind in ("mesh", "nastran")
+        return [lambda: files.read_mesh(path)] + ([lambda: surface_from_file(path)] if surface_too else [])
     return [lambda: surface_from_file(path), lambda: files.read_mesh(path)]
 
 
@@ -454,8 +506,8 @@ class Watched:
 def load(kind):
     """Load what the worker of that kind will need, before it is forked."""
     import meshio  # noqa: F401
-    from file_worker import with_meshio, with_vtk  # noqa: F401
-    from vtkmodules import vtkIOLegacy, vtkIOXML  # noqa: F401
+    from file_worker import with_meshio, with_vtk, with_vtk_blocks  # noqa: F401
+    from vtkmodules import vtkIOCGNSReader, vtkIOExodus, vtkIOLegacy, vtkIOPLY, vtkIOXML  # noqa: F401
     if kind in ("med", "FCStd", "step", "brep"):
         from file_worker import with_freecad  # noqa: F401
 

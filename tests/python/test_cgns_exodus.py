@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""CGNS and Exodus II as other programs write them: read whole by VTK, or refused. No writer of HexCon makes the files."""
+"""CGNS and Exodus II as other programs write them: read whole by VTK, or refused; not made by writers of HexCon."""
 import cgns_files
 import exodus_files
 import numpy as np

@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Other formats as people's programs write them: the box of deck_texts, 24 quads or 8 hexes, or a refusal by name."""
-import gmsh
 import meshio
 import numpy as np
 import pytest
 from deck_texts import BOX, GRID, HEXES, OUTER, elements, nodes, with_middles
 from quad_figures import volume_of
 
-import hexcon_native as hn
 from hexcon.errors import FaultCode, HexconError
 from hexcon.files import read_mesh
 from hexcon.meshing import mesh_quad_surface
@@ -156,33 +154,6 @@ def test_twenty_nodes_of_nastran(tmp_path):
         assert np.allclose(found.points[found.hexes[0, 8 + k]], middle)
 
 
-@pytest.mark.parametrize("form", (0, 1, 2))
-@pytest.mark.parametrize("nodes_of_a_hex", (20, 27))
-def test_second_order_nastran_of_gmsh(tmp_path, nodes_of_a_hex, form):
-    """Free, small and long fields. Gmsh writes 27 nodes into CHEXA, 9 into CQUAD9, which Nastran does not know."""
-    gmsh.initialize(readConfigFiles=False)
-    try:
-        gmsh.option.setNumber("General.Terminal", 0)
-        box = gmsh.model.occ.addBox(0, 0, 0, 10, 20, 30)
-        gmsh.model.occ.synchronize()
-        for _, curve in gmsh.model.getEntities(1):
-            gmsh.model.mesh.setTransfiniteCurve(curve, 3)
-        for _, face in gmsh.model.getEntities(2):
-            gmsh.model.mesh.setTransfiniteSurface(face)
-            gmsh.model.mesh.setRecombine(2, face)
-        gmsh.model.mesh.setTransfiniteVolume(box)
-        gmsh.option.setNumber("Mesh.BdfFieldFormat", form)
-        gmsh.option.setNumber("Mesh.SecondOrderIncomplete", nodes_of_a_hex == 20)
-        gmsh.model.mesh.generate(3)
-        gmsh.model.mesh.setOrder(2)
-        gmsh.write(str(tmp_path / "m.bdf"))
-    finally:
-        gmsh.finalize()
-    mesh = read_mesh(tmp_path / "m.bdf")
-    assert len(mesh.hexes) == 8 and mesh.order == 2 and np.isclose(volume_of(mesh.points, mesh.quads), 6000)
-    assert hn.certify(mesh.points, mesh.hexes, mesh.quads).certified
-
-
 _WHOLE = {"ascii.vtk": legacy(HEXES, 12, "CELL_DATA 8\nSCALARS part int 1\nLOOKUP_TABLE default\n" + "1\n" * 8
                               + "POINT_DATA 27\nVECTORS moved float\n" + "0 0 1\n" * 27),
           "polygons.vtk": SURFACES["polygons.vtk"], "rectilinear.vtk": _VTK + "RECTILINEAR_GRID\nDIMENSIONS 3 3 3\n"
@@ -317,8 +288,23 @@ _SMESH = "    -1\n  2420\n         1\nSMESH_Mesh\n         1         0         0
 _METRES = UNV_HEAD.format(1, "SI: Meter (newton)", 2, 1.0)
 _AROUND = with_middles(OUTER)
 
+def old_unv(dataset):
+    """Nodes of 15 (a line each) or 781, elements of 780, as programs before 2411 write them."""
+    places = {15: "{k:10d}         1         0        11{x:13.5E}{y:13.5E}{z:13.5E}\n",
+              781: "{k:10d}         1         1        11\n{x:25.16E}{y:25.16E}{z:25.16E}\n"}[dataset]
+    text = f"    -1\n{dataset:6d}\n" + "".join(places.format(k=k, x=x, y=y, z=z)
+                                              for k, (x, y, z) in enumerate(GRID.tolist(), 1))
+    text += "    -1\n    -1\n   780\n"
+    for k, row in enumerate((OUTER + 1).tolist(), 1):
+        text += f"{k:10d}" + "".join(f"{n:10d}" for n in (94, 1, 1, 1, 1, 7, 4)) + "\n" + "".join(
+            f"{n:10d}" for n in row) + "\n"
+    return text + "    -1\n"
+
+
 # name: (text, volume, groups)
 UNV = {
+    "nodes of dataset 15, elements of 780": (old_unv(15), 6000, {}),
+    "nodes of dataset 781, elements of 780": (old_unv(781), 6000, {}),
     "kind 94": (unv(), 6000, {}), "kind 44": (unv(kind=44), 6000, {}), "kind 54": (unv(kind=54), 6000, {}),
     "kind 64": (unv(kind=64), 6000, {}), "kind 74": (unv(kind=74), 6000, {}), "kind 84": (unv(kind=84), 6000, {}),
     "8 nodes round": (unv(kind=95, nodes=_AROUND[1][:, [0, 4, 1, 5, 2, 6, 3, 7]], places=_AROUND[0]), 6000, {}),
