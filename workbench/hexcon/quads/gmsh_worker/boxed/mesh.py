@@ -61,7 +61,7 @@ def _with_boxes(shape, skin, boxes, direction, size, link, end):
     faces = cad_faces(shape, skin, points, quads, owner, near)
     flats = [mesh.flat for mesh in [*rest, *(mesh for _, mesh in pieces)]]
     return BoxedMesh(points, hexes, quads, faces, sum(m.rings for m in rest), sum(m.levels for m in rest),
-                     min(flats, key=lambda flat: flat.limit), rest[0].plane, len(boxes))
+                     min(flats, key=lambda flat: flat.limit), rest[0].plane, 0, len(boxes))
 
 
 @contextlib.contextmanager

@@ -12,6 +12,7 @@ import numpy as np
 
 import hexcon_native as hn
 
+FLAT = 7            # places each way, by which a face is found flat
 _AGREES = 1e-9      # part of the size of what is described: a closed form that is farther off is none
 
 
@@ -62,7 +63,18 @@ def surface_carrier(face, scale):
         at = low + _PROBES * (high - low)
         if _agrees(made, np.array(gmsh.model.getValue(2, face, at.ravel())).reshape(-1, 3), scale):
             return made
-    return Carrier(2, face, "other")
+    return _flat(face, scale) or Carrier(2, face, "other")
+
+
+def _flat(face, scale):
+    """The plane that a face of another kind lies in, as those of ruled bodies and of some files do, or None."""
+    low, high = (np.array(b) for b in gmsh.model.getParametrizationBounds(2, face))
+    share = np.stack(np.meshgrid(*[np.linspace(0.0, 1.0, FLAT)] * 2), -1).reshape(-1, 2)
+    points = _values(face, low + share * (high - low))
+    middle = points.mean(0)
+    axis = np.linalg.svd(points - middle)[2][2]
+    flat = np.abs((points - middle) @ axis).max() <= _AGREES * scale
+    return Carrier(2, face, "Plane", middle, axis) if flat else None
 
 
 def curve_carrier(edge, scale):

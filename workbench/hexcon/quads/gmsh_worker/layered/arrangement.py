@@ -74,12 +74,12 @@ class Arrangement:
         return [(c, p.left, p.right) for c, p in enumerate(self.pieces) if p.left != p.right]
 
 
-def arrange(solid, plane, edges, tolerance):
-    """The Arrangement of CAD edges seen along the normal of a plane; those within the tolerance of a point are none.
+def arrange(solid, upright, edges, tolerance):
+    """The Arrangement of CAD edges as upright.Upright sees them; those within the tolerance of a point are none.
 
     Raises NotLayered where what comes out is no set of regions. Some n log n of the edges and their crossings.
     """
-    curves = [FlatEdge(solid, plane, e) for e in edges]
+    curves = [FlatEdge(solid, upright, e) for e in edges]
     curves = [c for c in curves if (c.high - c.low).max() > tolerance]
     met = _crossing_fractions(curves, tolerance)
     vertices = _vertices(curves, met, tolerance)

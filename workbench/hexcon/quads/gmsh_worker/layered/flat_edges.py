@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """CAD edges seen along a direction: curves of a plane."""
 import numpy as np
+from scipy.interpolate import CubicSpline
 from scipy.spatial import cKDTree
 
 SAMPLES = 129       # of a curved edge
@@ -9,15 +10,22 @@ SAMPLES = 129       # of a curved edge
 class FlatEdge:
     """fractions (n,), xy (n,2): samples along an edge, of its arc length in space."""
 
-    def __init__(self, solid, plane, edge):
-        self.edge, self._solid, self._plane = edge, solid, plane
-        self.fractions = np.linspace(0.0, 1.0, 2 if solid.is_line(edge) else SAMPLES)
+    def __init__(self, solid, upright, edge):
+        """upright: upright.Upright, which says where places are seen."""
+        self.edge, self._solid, self._upright = edge, solid, upright
+        self.fractions = np.linspace(0.0, 1.0, 2 if solid.is_line(edge) and upright.is_straight(edge) else SAMPLES)
+        self._seen = None
         self.xy = self.at(self.fractions)
+        if len(self.fractions) > 2 and upright.moves(edge):
+            self._seen = CubicSpline(self.fractions, self.xy)
         self.low, self.high = self.xy.min(0), self.xy.max(0)
 
     def at(self, fractions):
         """(n,2) places at fractions."""
-        return self._plane.flat(self.places(fractions))
+        fractions = np.clip(fractions, 0.0, 1.0)
+        if self._seen is not None:
+            return self._seen(fractions)
+        return self._upright.flat(self.edge, fractions, self.places(fractions))
 
     def places(self, fractions):
         """(n,3) points of the CAD edge."""

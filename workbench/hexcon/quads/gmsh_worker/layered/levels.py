@@ -3,21 +3,37 @@
 
 The ends of columns that continue one another over a piece are one level, and so are plane caps of one height. A level
 goes on through material: over every piece into the column beyond, where that is open at its height. So columns with a
-wall between them have their nodes there in common.
+wall between them have their nodes there in common. Level edges between two sides make levels, too.
 """
+from dataclasses import dataclass, field
+
 import numpy as np
 
 from .fault import NotLayered
 from .heights import MIDDLES
+from .roles import Role
+
+_RIM = 2    # in place of 0 and 1, the ends of a column: the number before it is that of a rim
+
+
+@dataclass
+class Rim:
+    """Level edges between two sides round a column, at one height. edges: of (piece, source)."""
+
+    column: int
+    height: float
+    edges: list = field(default_factory=list)
 
 
 class Levels:
-    """stacks: per column the levels upwards, its own ends included; nominal: level -> mean height.
+    """Ends are (column, 0 low or 1 high), or (number of a Rim, _RIM).
+
+    stacks: per column the levels upwards, its own ends included; nominal: level -> mean height.
 
     near: levels of caps in one column that differ by less become one sheet, where no wall needs both
     """
 
-    def __init__(self, arrangement, columns, heights, solid, equal, near=0.0):
+    def __init__(self, arrangement, columns, heights, solid, roles, equal, near=0.0):
         self._pieces, self._columns, self._heights, self._solid = arrangement.pieces, columns, heights, solid
         self._equal = equal
         self._root = {(k, e): (k, e) for k in range(len(columns)) for e in (0, 1)}
@@ -26,6 +42,8 @@ class Levels:
             of_region.setdefault(c.region, []).append(k)
         self._beside = [(c, of_region.get(a, []), of_region.get(b, [])) for c, a, b in arrangement.neighbours()]
         self._of_piece = {c: left + right for c, left, right in self._beside}
+        self._rims = self._rims_round(roles)
+        self._root |= {(k, _RIM): (k, _RIM) for k in range(len(self._rims))}
         self._members = {x: {x} for x in self._root}
         self._walls = set()
         self._join_continuous()
@@ -35,14 +53,46 @@ class Levels:
             self._join_near(near)
 
     def level(self, end):
-        """The level of the end (column, 0 low or 1 high)."""
+        """The level of an end."""
         while self._root[end] != end:
             end = self._root[end]
         return end
 
     def ends_of(self, level):
-        """Ends (column, 0 or 1) that are of a level."""
-        return sorted(self._members[level])
+        """Ends of columns (column, 0 or 1) that are of a level."""
+        return sorted(x for x in self._members[level] if x[1] != _RIM)
+
+    def rims_of(self, level):
+        """(piece, source) of level edges between sides that are of a level."""
+        return [edge for k, e in sorted(self._members[level]) if e == _RIM for edge in self._rims[k].edges]
+
+    def _rims_round(self, roles):
+        """[Rim] of edges between two sides, in the columns whose material they bound."""
+        found = []
+        for c, left, right in self._beside:
+            for source in self._pieces[c].sources:
+                faces = set(self._solid.faces_of[source[0].edge])
+                z = self._heights.of_source(c, source)
+                if len(faces) < 2 or any(roles[f] is not Role.SIDE for f in faces) or np.ptp(z) > self._equal:
+                    continue
+                for k in left + right:
+                    low, high = self._over(c, (k, 0)), self._over(c, (k, 1))
+                    if (low < z - self._equal).all() and (z + self._equal < high).all():
+                        self._rim(found, k, float(z.mean())).edges.append((c, source))
+        return found
+
+    def _rim(self, rims, column, height):
+        for rim in rims:
+            if rim.column == column and abs(rim.height - height) < self._equal:
+                return rim
+        rims.append(Rim(column, height))
+        return rims[-1]
+
+    def _column(self, end):
+        return self._rims[end[0]].column if end[1] == _RIM else end[0]
+
+    def _caps(self, ends):
+        return {self._columns[k].cap(e) for k, e in ends if e != _RIM}
 
     def _join(self, x, y):
         a, b = sorted((self.level(x), self.level(y)))
@@ -53,7 +103,7 @@ class Levels:
     def _apart(self, x, y):
         """Whether a column ends in both, or a wall joins them."""
         a, b = self._members[self.level(x)], self._members[self.level(y)]
-        if {k for k, _ in a} & {k for k, _ in b}:
+        if set(map(self._column, a)) & set(map(self._column, b)):
             return True
         small, large = sorted((a, b), key=len)
         return any((p, q) in self._walls or (q, p) in self._walls for p in small for q in large) \
@@ -95,10 +145,14 @@ class Levels:
                 self._join(x, y)
 
     def _flat(self, end):
+        if end[1] == _RIM:
+            return True
         cap = self._columns[end[0]].cap(end[1])
         return self._heights.is_level(cap)
 
     def _height(self, end):
+        if end[1] == _RIM:
+            return self._rims[end[0]].height
         return self._heights.middle(self._columns[end[0]].cap(end[1]))
 
     def _nominal(self):
@@ -112,6 +166,8 @@ class Levels:
         while True:
             self.nominal = self._nominal()
             has = [{self.level((k, 0)), self.level((k, 1))} for k in range(len(self._columns))]
+            for n, rim in enumerate(self._rims):
+                has[rim.column].add(self.level((n, _RIM)))
             if self._spread_all(has):
                 return [self._stack(k, levels) for k, levels in enumerate(has)]
 
@@ -146,7 +202,7 @@ class Levels:
     def _join_met(self, one, other, c):
         if self._apart(one, other):
             raise NotLayered("two levels that a wall joins meet elsewhere",
-                             {self._columns[k].cap(e) for k, e in self._members[one] | self._members[other]})
+                             self._caps(self._members[one] | self._members[other]))
         self._join(one, other)
 
     def _at(self, c, column, level):

@@ -10,41 +10,45 @@ from .fault import NotLayered
 from .flat_mesh import flat_mesh
 from .heights import Heights
 from .levels import Levels
-from .roles import Role
+from .roles import PARALLEL, Role
+from .upright import Upright
 
 SAME_PLACE, SAME_HEIGHT = 2e-3, 1e-3    # of the size: nearer is one, seen along the direction and in height
 NEAR = 0.3                      # of the size: levels nearer than this are one bent sheet, where they can be
 
 
-def layered_mesh(shape, direction, size, link, fixed=None, layers=None):
+def layered_mesh(shape, direction, size, link, steep=PARALLEL):
     """The extrude.LayeredMesh of a roles.Shape along a direction (3,), its inner points not yet improved.
 
-    fixed, layers: as Standing.mesh takes them. Raises NotLayered.
+    steep: as Standing takes it. Raises NotLayered.
     """
     link.progress("levels", 0.0)
-    return Standing(shape, direction, size).mesh(link, fixed, layers)
+    return Standing(shape, direction, size, steep).mesh(link)
 
 
 class Standing:
     """A solid seen along a direction: outlines in the plane, the columns that stand on them, the levels across those.
 
-    shape: roles.Shape; plane: CapPlane whose normal the direction is; roles: {CAD face: Role}; arrangement, columns,
-    levels, heights
+    shape: roles.Shape; plane: CapPlane whose normal the direction is; roles: {CAD face: Role}; aslant: the sides that
+    are not along it; upright, arrangement, columns, levels, heights
     """
 
-    def __init__(self, shape, direction, size):
-        """size: of elements. Raises NotLayered."""
+    def __init__(self, shape, direction, size, steep=PARALLEL):
+        """size: of elements; steep: sine of the angle up to which a face aslant is a side. Raises NotLayered."""
         solid = shape.solid
         self.shape, self.size = shape, size
-        self.plane, self.roles = CapPlane(np.zeros(3), direction), shape.roles(direction)
+        self.plane, self.roles = CapPlane(np.zeros(3), direction), shape.roles(direction, steep)
         hanging = [f for f, role in self.roles.items() if role is Role.NONE]
         if hanging:
             raise NotLayered("faces hang over: " + ", ".join(f"Face{f}" for f in hanging[:8]), hanging)
+        self.aslant = shape.aslant(direction, self.roles)
+        self.upright = Upright(shape, self.plane, self.roles, self.aslant)
         edges = [e for e in solid.edges if solid.faces_of[e][0] != solid.faces_of[e][1]]
-        self.arrangement = arrange(solid, self.plane, edges, SAME_PLACE * size)
+        self.arrangement = arrange(solid, self.upright, edges, SAME_PLACE * size)
         self.heights = Heights(shape, self.plane, self.arrangement)
         self.columns = columns(self.arrangement, self.roles, solid, self.heights)
-        self.levels = Levels(self.arrangement, self.columns, self.heights, solid, SAME_HEIGHT * size, NEAR * size)
+        self.levels = Levels(self.arrangement, self.columns, self.heights, solid, self.roles,
+                             SAME_HEIGHT * size, NEAR * size)
 
     def mesh(self, link, fixed=None, layers=None):
         """The extrude.LayeredMesh, its inner points not yet improved.
@@ -58,5 +62,4 @@ class Standing:
         flat = flat_mesh(self.arrangement, sorted({c.region for c in self.columns}), self.size, link, fixed)
         link.over()
         link.progress("levels", 0.8)
-        return extrude(self.shape, self.plane, self.arrangement, self.columns, self.levels, self.heights, flat,
-                       self.roles, self.size, layers)
+        return extrude(self, flat, layers)

@@ -12,7 +12,7 @@ HANGING = 1e-3          # the same for caps that end along it, as fillets do
 
 
 class Role(Enum):
-    """UP: a cap with material below it; DOWN: with material above; SIDE: along the direction; NONE: none of these."""
+    """UP: a cap with material below it; DOWN: with material above; SIDE: along the direction, or nearly; NONE: none."""
 
     UP = 1
     DOWN = -1
@@ -35,9 +35,14 @@ class Shape:
         self.volume = solid.exact_volume
         self.normals = {f: _normals(self.carriers[f], made, np.flatnonzero(made.face == f)) for f in solid.faces}
 
-    def roles(self, direction):
-        """{CAD face: Role}."""
-        return {f: _role(n @ direction) for f, n in self.normals.items()}
+    def roles(self, direction, steep=PARALLEL):
+        """{CAD face: Role}. steep: sine of the angle to the direction up to which a face is a side."""
+        return {f: _role(n @ direction, steep) for f, n in self.normals.items()}
+
+    def aslant(self, direction, roles):
+        """The sides that are not along a direction."""
+        return {f for f, n in self.normals.items()
+                if roles[f] is Role.SIDE and np.abs(n @ direction).max() >= PARALLEL}
 
     def part(self, faces):
         """Of the area of all faces."""
@@ -75,8 +80,8 @@ def _normals(carrier, made, rows):
     return normals * np.where((normals * outward).sum(1) < 0.0, -1.0, 1.0)[:, None]
 
 
-def _role(along):
-    if np.abs(along).max() < PARALLEL:
+def _role(along, steep):
+    if np.abs(along).max() < steep:
         return Role.SIDE
     if along.min() > -HANGING:
         return Role.UP

@@ -17,10 +17,12 @@ from .roles import Role, Shape
 DIRECTIONS, TRIED = 12, 3       # directions looked at; those of them that are tried
 FACTORS = (1.0, 0.8, 0.62)      # parts of the size
 LEAST, POOR, GOOD = 0.15, 0.3, 0.6      # scaled Jacobian: refused below; smaller sizes are tried; nothing else is tried
+ASLANT = 1e-3                   # what area of a side counts that is not along a direction, beside that of a cap
 ROUNDS = 3                      # of improving the inside here; who fills the surface goes on
 HOPELESS = 0.05                 # a direction with a worse scaled Jacobian is not tried with smaller sizes
 ENOUGH = 0.7                    # of the scaled Jacobian that corners of the outlines allow: smaller is not better
 MOST_SLANTED = 0.6              # part of the area that may lie neither across a direction nor along it
+STEEPS = tuple(np.sin(np.radians((30.0, 50.0))))    # angles up to which faces aslant are sides, in turn
 SHARE = 0.3                     # of the time limit, in processor time: no try is begun then
 MOST_VOLUME = 0.05              # part by which the volume may differ from the solid's
 
@@ -65,11 +67,35 @@ def layered_surface(solid, size, link, timeout, care=0):
     if not directions:
         raise WorkerFault("NOT_LAYERED", "no direction in which every face lies across it, along it, or is seen from "
                           f"it: {refused}")
-    best, faults = search(directions, lambda direction, factor: judged(
-        shape, layered_mesh(shape, direction, size * factor, link), direction, factor), begun + SHARE * timeout)
+    best, faults = search(directions, lambda direction, factor: _meshed(
+        shape, direction, size, factor, link), begun + SHARE * timeout)
     if best is None:
         raise WorkerFault("NOT_LAYERED", "; ".join(faults) or "no time left")
-    return surface_of(best, faults, "layered")
+    aslant = best.mesh.aslant
+    what = f"{aslant} drafted face{'s' * (aslant > 1)} as sides, " if aslant else ""
+    return surface_of(best, faults, "layered", what)
+
+
+def _meshed(shape, direction, size, factor, link):
+    """The Layered along a direction, with faces as sides up to the first of STEEPS with which it is good."""
+    known, best, fault = [], None, None
+    for steep in STEEPS:
+        roles = shape.roles(direction, steep)
+        if roles in known:
+            continue
+        known.append(roles)
+        try:
+            found = judged(shape, layered_mesh(shape, direction, size * factor, link, steep), direction, factor)
+        except NotLayered as error:
+            fault = fault or error
+            continue
+        if best is None or found.rank > best.rank:
+            best = found
+        if best.good and best.enough(POOR):
+            break
+    if best is None:
+        raise fault
+    return best
 
 
 def search(directions, attempt, end, factors=FACTORS):
@@ -120,15 +146,16 @@ def least_of(shape, part_of, most, otherwise):
 
 
 def _slanted(shape, direction):
-    """Part of the area that lies neither across nor along. Raises NotLayered where that is too much, or hangs over."""
-    roles = shape.roles(direction)
+    """Part of the area that is of caps not across, and a little for sides not along. Raises NotLayered where there is
+    too much of that, or a face hangs over."""
+    roles = shape.roles(direction, STEEPS[-1])
     bad = [f for f, role in roles.items() if role is Role.NONE]
     slanted = [f for f, n in shape.normals.items() if roles[f] in (Role.UP, Role.DOWN)
                and np.abs(n @ direction).min() < 1.0 - 1e-8]
     part = shape.part(slanted)
     if bad or part > MOST_SLANTED:
         raise NotLayered(f"along {named(direction)} " + ", ".join(f"Face{f}" for f in (bad or slanted)[:8]))
-    return part
+    return part + ASLANT * shape.part(shape.aslant(direction, roles))
 
 
 def named(direction):
