@@ -3,11 +3,12 @@
 
     PYTHONPATH=.:workbench python3 scripts/solids.py FOLDER [--surface-method auto] [--method auto] [--quads 700]
                                                    [--limit 200] [--timeout 120] [--result output/solids.jsonl]
-                                                   [--match PART_OF_NAME]
+                                                   [--match PART_OF_NAME] [--diagonal 15]
 
-The size of each is sqrt(area / quads). Every file is meshed in a process of its own, with a limit of processor time.
-What is called certified is judged once more by tests/python/mesh_checker.py, which shares no code with the core. A line
-of the result file is kept: a run that was stopped goes on where it was; remove the file to measure anew.
+The size of each is sqrt(area / quads), or that part of the diagonal of its bounding box. Every file is meshed in a process
+of its own, with a limit of processor time. What is called certified is judged once more by tests/python/mesh_checker.py,
+which shares no code with the core. A line of the result file is kept: a run that was stopped goes on where it was; remove
+the file to measure anew.
 """
 import argparse
 import json
@@ -26,7 +27,8 @@ def measured(path, options):
     import hexcon
     found = {"quads wanted": options.quads}
     try:
-        size = options.size or (_area(path) / options.quads) ** 0.5
+        area, diagonal = _area_and_diagonal(path)
+        size = options.size or (diagonal / options.diagonal if options.diagonal else (area / options.quads) ** 0.5)
         found["size"] = size
         mesh = hexcon.mesh_solid(path, size, surface_method=options.surface_method, method=options.method, threads=1,
                                  timeout=options.timeout)
@@ -37,8 +39,8 @@ def measured(path, options):
         "surface": surface.method, "quads": len(surface.quads), "nodes": len(mesh.points), "notes": list(surface.notes)}
 
 
-def _area(path):
-    """Of the surface of the one solid in a file."""
+def _area_and_diagonal(path):
+    """(Of the surface, of the bounding box) of the one solid in a file."""
     import gmsh
 
     from hexcon.errors import FaultCode, ToolError
@@ -51,7 +53,9 @@ def _area(path):
         solids = gmsh.model.getEntities(3)
         if len(solids) != 1:
             raise ToolError(f"{path}: {len(solids)} solids; one is needed", FaultCode.BAD_SHAPE)
-        return sum(gmsh.model.occ.getMass(2, tag) for _, tag in gmsh.model.getBoundary(solids, oriented=False))
+        box = gmsh.model.getBoundingBox(*solids[0])
+        area = sum(gmsh.model.occ.getMass(2, tag) for _, tag in gmsh.model.getBoundary(solids, oriented=False))
+        return area, sum((b - a) ** 2 for a, b in zip(box[:3], box[3:])) ** 0.5
     finally:
         gmsh.finalize()
 
@@ -60,8 +64,9 @@ def in_its_own_process(path, options):
     command = [sys.executable, __file__, path, "--one", "--surface-method", options.surface_method, "--method",
                options.method, "--quads", str(options.quads), "--limit", str(options.limit),
                "--timeout", str(options.timeout)]
-    if options.size:
-        command += ["--size", str(options.size)]
+    for name in ("size", "diagonal"):
+        if getattr(options, name):
+            command += ["--" + name, str(getattr(options, name))]
     before = processor_seconds()
     found = in_a_child(command, processor=options.limit)
     return {"file": os.path.basename(path), "seconds": processor_seconds() - before, **found}
@@ -92,6 +97,7 @@ def main():
     parser.add_argument("--method", default="auto")
     parser.add_argument("--quads", type=float, default=700.0)
     parser.add_argument("--size", type=float, default=0.0, help="in place of --quads")
+    parser.add_argument("--diagonal", type=float, default=0.0, help="of the box by the size, in place of --quads")
     parser.add_argument("--limit", type=float, default=200.0, help="seconds of processor time for a process")
     parser.add_argument("--timeout", type=float, default=120.0, help="of hexcon.mesh_solid, whose own it is")
     parser.add_argument("--match", default="")

@@ -128,10 +128,24 @@ def test_random_regions(seed):
 @pytest.mark.parametrize("loops,words", [([polygon(SQUARE, [1, 1, 1, 2])], "odd"),
                                          ([polygon(SQUARE[:3], [1] * 3)], "fewer"),
                                          ([polygon(SQUARE, [2] * 4)[::-1]], "no area"),
-                                         ([polygon(SQUARE, [2] * 4), circle(3, 3, 1, 2)], "fewer")])
+                                         ([polygon(SQUARE, [2] * 4), circle(3, 3, 1, 2)], "fewer"),
+                                         ([polygon(SQUARE, [4] * 4), circle(2, 0.9, 1, 8)], "cross or touch in 2"),
+                                         ([polygon(SQUARE, [4] * 4), circle(2, 1, 1, 8)], "cross or touch in 2")])
 def test_regions_without_quads_are_refused(loops, words):
     with pytest.raises(NoPlaneMesh, match=words):
         mesh_plane(PlaneRegion(loops), 1.0)
+
+
+def test_a_cusp_has_quads():
+    """Where an arc meets a line along it, the corner of the chords counts, not the curves' angle of 0."""
+    straight = polygon([(0, 0), (5, 0), (5, 4), (2, 4), (2, 2)], [5, 4, 3, 3, 1])[:-1]
+    loop = np.concatenate([straight, [(2 * np.sin(t), 2 - 2 * np.cos(t)) for t in np.linspace(np.pi / 2, 0, 4)[:-1]]])
+    turns = [np.zeros(len(loop))]
+    turns[0][[0, 5, 9, 12]] = np.pi, np.pi / 2, np.pi / 2, np.pi / 2
+    region = PlaneRegion([loop], turns)
+    assert 0.2 < region.limit < 0.3
+    mesh = mesh_plane(region, 1.0)
+    assert not faults(region, mesh) and mesh.low > 0.5 * region.limit
 
 
 def test_wishes_of_a_square_a_disc_and_a_ring():

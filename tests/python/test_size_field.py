@@ -115,11 +115,25 @@ def test_the_grid_follows(tmp_path, where):
     assert len(plain.quads) < len(surface.quads) < 12 * len(plain.quads)
 
 
+@pytest.mark.parametrize("where", WHERE)
+def test_layers_follow(tmp_path, where):
+    """Edges of the CAD near the place are divided finely, those far away are not."""
+    path = cad_file(PLATE, tmp_path / "solid.brep")
+    mesh = hexcon.mesh_solid(path, 4.0, surface_method="layered", local_sizes={where: 1.0})
+    surface = mesh.surface
+    assert mesh.certificate.certified and mesh.quality.min > 0.4
+    assert not faults(mesh.points, mesh.hexes, surface.quads, surface.points)
+    here, there = WHERE[where]
+    assert np.median(edges_near(surface, here, 0.8)) < 1.6
+    assert np.median(edges_near(surface, there, 6.0)) > 1.8
+    assert len(surface.quads) < 12 * len(surface_from_solid(path, 4.0, "layered").quads)
+
+
 def test_auto_takes_a_method_that_follows(tmp_path):
     """A plate would be swept; a sweep knows one size only."""
     path = cad_file(PLATE, tmp_path / "solid.brep")
     surface = surface_from_solid(path, 4.0, local_sizes={"Edge1": 1.5})
-    assert surface.method == "grid" and any("follows no local sizes" in note for note in surface.notes)
+    assert surface.method == "layered" and any("follows no local sizes" in note for note in surface.notes)
     for options in ({"local_sizes": {"Edge1": 1.5}}, {"per_turn": 40}):
         with pytest.raises(ToolError, match="follows no local sizes") as caught:
             surface_from_solid(path, 4.0, "sweep", **options)

@@ -57,11 +57,11 @@ _ROWS = (
                   "revolved.surface.revolved_surface", turn=3, refusal="NOT_REVOLVED", refused="not revolved",
                   filled_by="proposal"),
     SurfaceMethod("layered", "layers", "solids whose faces lie across one direction or along it, or are seen from it: "
-                  "plates with bosses, pockets, steps, holes", "layered.tries.layered_surface", ("timeout", "care"), turn=4,
-                  refusal="NOT_LAYERED", refused="not layered", leaves_out=True, filled_by="proposal"),
+                  "plates with bosses, pockets, steps, holes", "layered.tries.layered_surface", ("timeout", "care", "sizes"),
+                  turn=4, refusal="NOT_LAYERED", refused="not layered", leaves_out=True, spares_volume=True, filled_by="proposal"),
     SurfaceMethod("boxed", "layers and boxes", "solids of layers but for round holes and bosses across them, each in a box "
                   "with layers of its own", "boxed.tries.boxed_surface", ("timeout", "care"), turn=5,
-                  refusal="NOT_BOXED", refused="not boxed", filled_by="proposal"),
+                  refusal="NOT_BOXED", refused="not boxed", spares_volume=True, filled_by="proposal"),
     SurfaceMethod("grid", "grid", "any solid whose features are not much smaller than the elements: a grid of hexes that "
                   "takes them up", "grid.tries.grid_surface", ("timeout", "care", "sizes"), turn=6, refused="not gridded",
                   leaves_out=True, spares_volume=True, filled_by="proposal"),

@@ -8,6 +8,7 @@ import numpy as np
 
 from .cad import other_model
 from .outline import rounded, with_total
+from .plane.simple import touching
 
 # (road, gmsh's Mesh.Algorithm, density relative to the wanted one)
 VARIANTS = (("halved", 6, 1.0), ("direct", 6, 1.0), ("halved", 5, 1.0), ("direct", 5, 1.0),
@@ -50,7 +51,12 @@ def direct_mesh(loops, size, algorithm):
 
 
 def _polygon_mesh(loops, size, algorithm):
-    """(points, triangles, quads); the boundary points come first, in order; counter-clockwise."""
+    """(points, triangles, quads); the boundary points come first, in order; counter-clockwise.
+
+    Raises ValueError where loops cross or touch: there gmsh ends the process.
+    """
+    if len(touching(loops)):
+        raise ValueError("its chords cross")
     with other_model("outline"):
         for name, value in (("Algorithm", algorithm), ("RecombinationAlgorithm", 1), ("SubdivisionAlgorithm", 0),
                             ("MeshSizeMin", 0.0), ("MeshSizeMax", 1.5 * size), ("MeshSizeExtendFromBoundary", 1),

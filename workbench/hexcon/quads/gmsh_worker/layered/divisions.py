@@ -15,16 +15,15 @@ SECONDS, GAP = 10.0, 0.02                   # limits of the program: time, and h
 FAR = 1e5                                   # more intervals than any sum of them is off
 
 
-def ideal_counts(pieces, sizes):
-    """((n,) float wanted numbers, (n,) int least ones) of pieces. sizes (n,): wanted lengths of intervals."""
-    length = np.array([np.linalg.norm(np.diff(p.line, axis=0), axis=1).sum() for p in pieces])
+def ideal_counts(pieces, wanted):
+    """((n,) float ideal numbers, (n,) int least ones) of pieces. wanted (n,): intervals by their lengths."""
     turning = np.array([_turning(p.line) for p in pieces])
     least = np.maximum(np.ceil(turning / OPEN - 0.05), 1).astype(int)
     for k, piece in enumerate(pieces):
         if piece.closed:
             fine = int(np.ceil(turning[k] / ROUND - 0.05))
-            least[k] = max(3, min(fine, max(LEAST_ROUND, int(length[k] / sizes[k]))))
-    return np.maximum(length / sizes, least), least
+            least[k] = max(3, min(fine, max(LEAST_ROUND, int(wanted[k]))))
+    return np.maximum(wanted, least), least
 
 
 def _turning(line):

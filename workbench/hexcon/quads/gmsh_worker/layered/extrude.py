@@ -8,6 +8,7 @@ from .fault import NotLayered
 from .places import Places
 from .side_places import sides_of
 
+STOPS = 32          # heights between two levels at which sizes are asked for
 _WALL = -1
 _SIDES = np.array([[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
 
@@ -28,13 +29,13 @@ class LayeredMesh:
     aslant: int
 
 
-def extrude(standing, flat, layers=None):
-    """The LayeredMesh of a mesh.Standing. layers: as its mesh takes it. Raises NotLayered."""
+def extrude(standing, flat, field, layers=None):
+    """The LayeredMesh of a mesh.Standing. field: SizeField; layers: as its mesh takes them. Raises NotLayered."""
     places, columns, levels = Places(standing, flat), standing.columns, standing.levels
     around = {r: sorted(standing.arrangement.regions[r].pieces) for r in flat.quads}
     nodes_of = {r: np.unique(q) for r, q in flat.quads.items()}
     sheets = _sheets(places, columns, levels, around, nodes_of)
-    rings = _rings(columns, levels, nodes_of, sheets, standing.plane, standing.size, layers or (lambda *_: None))
+    rings = _rings(columns, levels, nodes_of, sheets, standing.plane, field, layers or (lambda *_: None))
     return _Build(places, columns, levels, nodes_of, sheets, rings).mesh(standing)
 
 
@@ -52,25 +53,37 @@ def _sheets(places, columns, levels, around, nodes_of):
     return places.all_sheets(begun, [(nodes_of[c.region], stack) for c, stack in zip(columns, levels.stacks)])
 
 
-def _rings(columns, levels, nodes_of, sheets, plane, size, layers):
+def _rings(columns, levels, nodes_of, sheets, plane, field, layers):
     """(lower level, upper level) -> (n,) shares at which layers of hexes lie between them."""
     gaps = {}
     for column, stack in zip(columns, levels.stacks):
         nodes = nodes_of[column.region]
-        z = [plane.height(sheets[level][nodes]) for level in stack]
-        for a, b, low, high in zip(stack[:-1], stack[1:], z[:-1], z[1:]):
-            gap = high - low
-            if not gap.min() > 1e-3 * size:
+        for pair in zip(stack[:-1], stack[1:]):
+            low, high = (sheets[level][nodes] for level in pair)
+            gap = plane.height(high) - plane.height(low)
+            if not gap.min() > 1e-3 * field.size:
                 raise NotLayered("levels meet or cross", [column.low, column.high])
-            gaps.setdefault((a, b), []).append((gap.sum(), len(gap)))
+            gaps.setdefault(pair, []).append((gap, _least_sizes(field, low, high)))
     made = {pair: layers(*pair) for pair in gaps}
-    return {pair: _even(sum(g for g, _ in rows) / sum(n for _, n in rows) / size) if made[pair] is None else made[pair]
-            for pair, rows in gaps.items()}
+    return {pair: _layers(rows) if made[pair] is None else made[pair] for pair, rows in gaps.items()}
 
 
-def _even(layers):
-    count = max(1, int(np.rint(layers)))
-    return np.arange(count + 1) / count
+def _least_sizes(field, low, high):
+    """(STOPS,) sizes at heights between two sheets, the least over any of their nodes."""
+    if field.even:
+        return np.full(STOPS, field.size)
+    shares = (np.arange(STOPS) + 0.5)[:, None, None] / STOPS
+    return field((low + (high - low) * shares).reshape(-1, 3)).reshape(STOPS, -1).min(1)
+
+
+def _layers(rows):
+    """(n,) shares, of (gaps over nodes, least sizes): as many as the mean gap has elements."""
+    gap = sum(g.sum() for g, _ in rows) / sum(len(g) for g, _ in rows)
+    sizes = np.min([s for _, s in rows], axis=0)
+    sums = np.concatenate([[0.0], np.cumsum(gap / STOPS / sizes)])
+    count = max(1, int(np.rint(sums[-1])))
+    even = np.arange(count + 1) / count
+    return even if np.ptp(sizes) == 0.0 else np.interp(even * sums[-1], sums, np.arange(STOPS + 1) / STOPS)
 
 
 class _Build:

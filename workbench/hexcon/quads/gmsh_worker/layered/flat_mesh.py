@@ -10,10 +10,10 @@ from ..plane.region import PlaneRegion
 from ..plane.wishes import wishes
 from .divisions import divide, ideal_counts
 from .fault import NotLayered
+from .piece_sizes import PieceSizes
 
-# (part of the size, every piece even, longest interval beside a region, in widths of it)
+# (part of the size, every piece even, longest interval beside a narrow place, in widths of it)
 ATTEMPTS = ((1.0, False, None), (1.0, True, None), (1.0, False, 3.0), (0.88, True, 2.0), (0.8, False, 1.2))
-NARROWEST = 0.12    # of the size: no intervals shorter than this are made for the sake of narrow regions
 CRASHES = 6         # of gmsh, after which it is not asked any more
 PAVED = 2           # attempts that are made again with gmsh, where none is good enough without
 ENOUGH = 0.6        # of what corners allow, in the worst quad: with it no other attempt is made
@@ -21,12 +21,13 @@ ENOUGH = 0.6        # of what corners allow, in the worst quad: with it no other
 
 @dataclass
 class FlatMesh:
-    """nodes (n,2): vertices of the arrangement first; on_piece: piece -> ids along it, ends included; quads: region ->
-    (k,4), counter-clockwise; worst, mean: scaled Jacobian; share: the worst beside what its region's corners allow;
-    limit: the least of those."""
+    """nodes (n,2): vertices of the arrangement first; on_piece: piece -> ids along it, ends included; stops: piece ->
+    shares of its length at which they lie; quads: region -> (k,4), counter-clockwise; worst, mean: scaled Jacobian;
+    share: the worst beside what its region's corners allow; limit: the least of those."""
 
     nodes: np.ndarray
     on_piece: dict
+    stops: dict
     quads: dict
     worst: float
     mean: float
@@ -34,20 +35,22 @@ class FlatMesh:
     limit: float
 
 
-def flat_mesh(arrangement, used, size, link, fixed=None):
-    """The FlatMesh of regions. fixed: as mesh.Standing.mesh takes it. Raises NotLayered."""
+def flat_mesh(arrangement, used, size, link, fixed=None, field=None):
+    """The FlatMesh of regions. fixed, field: as mesh.Standing.mesh takes them. Raises NotLayered."""
     pieces = sorted(set().union(*(arrangement.regions[r].pieces for r in used)))
     outlines = {r: _Outline(arrangement, arrangement.regions[r].loops) for r in used}
     held = {k: n for k, c in enumerate(pieces) if fixed and (n := fixed(arrangement.pieces[c]))}
     regions = _Regions(arrangement, outlines, size, link)
+    sizes = PieceSizes(arrangement, pieces, used, size, field)
     best, fault = None, None
     # gmsh takes its time, and each of its crashes begins all of the surface again
     gmsh_may = [(True, ATTEMPTS[:PAVED])] if len(link.avoid) <= CRASHES else []
     for paving, attempts in [(False, ATTEMPTS), *gmsh_may]:
         for part, even, widths in attempts:
             try:
-                sizes = _sizes(arrangement, pieces, outlines, size * part, widths)
-                made = regions.meshed(_counts(arrangement, pieces, outlines, sizes, even, held), paving)
+                spacing = sizes.along(part, widths)
+                counts = _counts(arrangement, pieces, outlines, [s.wanted for s in spacing], even, held)
+                made = regions.meshed(_stops(pieces, spacing, counts, held), paving)
             except (NotLayered, NoPlaneMesh) as error:
                 fault = error
                 continue
@@ -71,7 +74,8 @@ class _Outline:
             into = [np.arctan2(*(line[-1] - line[-2])[::-1]) for line in lines]
             out = [np.arctan2(*(line[1] - line[0])[::-1]) for line in lines]
             bend = [_bend(line) for line in lines]
-            turns = np.array([(out[k] - into[k - 1] - bend[k] / 2 - bend[k - 1] / 2 + np.pi) % (2 * np.pi) - np.pi
+            # what chords turn by is less than half a turn even in a cusp
+            turns = np.array([(out[k] - into[k - 1] + np.pi) % (2 * np.pi) - np.pi - bend[k] / 2 - bend[k - 1] / 2
                               for k in range(len(loop))])
             corners = np.flatnonzero(np.abs(turns) > CORNER)
             first = int(corners[0]) if len(corners) else 0
@@ -88,20 +92,16 @@ def _bend(line):
     return float(np.arctan2(d[0, 0] * d[1, 1] - d[0, 1] * d[1, 0], d[0] @ d[1]))
 
 
-def _sizes(arrangement, pieces, outlines, size, widths):
-    """(n,) longest intervals of pieces: shorter beside narrow regions, whose sides must be divided alike."""
-    sizes = np.full(len(pieces), size)
-    row_of = {c: k for k, c in enumerate(pieces)}
-    for r, outline in outlines.items() if widths else ():
-        rows = [row_of[c] for loop in outline.loops for c, _ in loop]
-        sizes[rows] = np.minimum(sizes[rows], max(widths * arrangement.regions[r].width, NARROWEST * size))
-    return sizes
+def _stops(pieces, spacing, counts, held):
+    """{piece: shares of its length}; even ones where a neighbour gives their number."""
+    return {c: np.arange(counts[c] + 1) / counts[c] if k in held else own.stops(counts[c])
+            for k, (c, own) in enumerate(zip(pieces, spacing))}
 
 
-def _counts(arrangement, pieces, outlines, sizes, even, held):
-    """{piece: intervals}. held: row of a piece -> its number."""
+def _counts(arrangement, pieces, outlines, wanted, even, held):
+    """{piece: intervals}. wanted: of each by its length; held: row of a piece -> its number."""
     row_of = {c: k for k, c in enumerate(pieces)}
-    ideal, least = ideal_counts([arrangement.pieces[c] for c in pieces], sizes)
+    ideal, least = ideal_counts([arrangement.pieces[c] for c in pieces], wanted)
     for k, n in held.items():
         ideal[k], least[k] = n, n
     rows = [({k: 1}, 2, None) for k in range(len(pieces)) if k not in held] if even else []
@@ -122,37 +122,37 @@ def _rows(loops, outline, ideal):
 
 
 class _Regions:
-    """Meshes of all regions for numbers of intervals; what was made is kept, and what failed is tried first."""
+    """Meshes of all regions for divided pieces; what was made is kept, and what failed is tried first."""
 
     def __init__(self, arrangement, outlines, size, link):
         self._arrangement, self._outlines, self._size, self._link = arrangement, outlines, size, link
         self._order, self._known = list(outlines), {}
 
-    def meshed(self, counts, paving):
-        """The FlatMesh. counts: {piece: intervals}; paving: gmsh may be asked. Raises NoPlaneMesh."""
-        nodes, on_piece = self._on_pieces(counts)
+    def meshed(self, stops, paving):
+        """The FlatMesh. stops: {piece: shares}; paving: gmsh may be asked. Raises NoPlaneMesh."""
+        nodes, on_piece = self._on_pieces(stops)
         made = {}
         for r in list(self._order):
             try:
-                made[r] = self._region(r, nodes, on_piece, paving)
+                made[r] = self._region(r, nodes, on_piece, stops, paving)
             except NoPlaneMesh:
                 self._order.remove(r)
                 self._order.insert(0, r)
                 raise
-        return self._assembled(made, nodes, on_piece)
+        return self._assembled(made, nodes, on_piece, stops)
 
-    def _on_pieces(self, counts):
+    def _on_pieces(self, stops):
         vertices = self._arrangement.vertices
         nodes, on_piece, total = [vertices], {}, len(vertices)
-        for c, n in counts.items():
-            piece = self._arrangement.pieces[c]
-            on_piece[c] = np.concatenate([[piece.ends[0]], total + np.arange(n - 1), [piece.ends[1]]])
-            nodes.append(piece.at(np.arange(1, n) / n))
-            total += n - 1
+        for c, shares in stops.items():
+            piece, inner = self._arrangement.pieces[c], len(shares) - 2
+            on_piece[c] = np.concatenate([[piece.ends[0]], total + np.arange(inner), [piece.ends[1]]])
+            nodes.append(piece.at(shares[1:-1]))
+            total += inner
         return np.concatenate(nodes), on_piece
 
-    def _region(self, r, nodes, on_piece, paving):
-        key = r, paving, tuple(len(on_piece[c]) for loop in self._outlines[r].loops for c, _ in loop)
+    def _region(self, r, nodes, on_piece, stops, paving):
+        key = r, paving, tuple(stops[c].tobytes() for loop in self._outlines[r].loops for c, _ in loop)
         if key not in self._known:
             ids, turns = _divided(self._outlines[r], on_piece)
             try:
@@ -164,7 +164,7 @@ class _Regions:
             raise self._known[key]
         return self._known[key]
 
-    def _assembled(self, made, nodes, on_piece):
+    def _assembled(self, made, nodes, on_piece, stops):
         points, quads, total = [nodes], {}, len(nodes)
         for r, outline in self._outlines.items():
             ids = np.concatenate(_divided(outline, on_piece)[0])
@@ -173,7 +173,7 @@ class _Regions:
             points.append(inner)
             total += len(inner)
         meshes = list(made.values())
-        return FlatMesh(np.concatenate(points), on_piece, quads, min(m.low for m in meshes),
+        return FlatMesh(np.concatenate(points), on_piece, stops, quads, min(m.low for m in meshes),
                         float(np.average([m.mean for m in meshes], weights=[len(m.quads) for m in meshes])),
                         min(m.low / max(m.limit, 0.2) for m in meshes), min(m.limit for m in meshes))
 

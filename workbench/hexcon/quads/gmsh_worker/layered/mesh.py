@@ -3,6 +3,7 @@
 import numpy as np
 
 from ..boundary import CapPlane
+from ..size_field import SizeField
 from .arrangement import arrange
 from .columns import columns
 from .extrude import extrude
@@ -17,13 +18,13 @@ SAME_PLACE, SAME_HEIGHT = 2e-3, 1e-3    # of the size: nearer is one, seen along
 NEAR = 0.3                      # of the size: levels nearer than this are one bent sheet, where they can be
 
 
-def layered_mesh(shape, direction, size, link, steep=PARALLEL):
+def layered_mesh(shape, direction, size, link, steep=PARALLEL, field=None):
     """The extrude.LayeredMesh of a roles.Shape along a direction (3,), its inner points not yet improved.
 
-    steep: as Standing takes it. Raises NotLayered.
+    steep: as Standing takes it; field: as its mesh does. Raises NotLayered.
     """
     link.progress("levels", 0.0)
-    return Standing(shape, direction, size, steep).mesh(link)
+    return Standing(shape, direction, size, steep).mesh(link, field=field)
 
 
 class Standing:
@@ -50,16 +51,17 @@ class Standing:
         self.levels = Levels(self.arrangement, self.columns, self.heights, solid, self.roles,
                              SAME_HEIGHT * size, NEAR * size)
 
-    def mesh(self, link, fixed=None, layers=None):
+    def mesh(self, link, fixed=None, layers=None, field=None):
         """The extrude.LayeredMesh, its inner points not yet improved.
 
         fixed   what a neighbour asks: callable (arrangement.Piece) -> number of intervals, or None where it is free
         layers  callable (level, the next level) -> (n,) shares, from 0 to 1, at which layers of hexes lie between
-                them, or None where they are even, as the size says
+                them, or None where they are as the sizes say
+        field   SizeField by place, of at most this size; None: the size everywhere
         Raises NotLayered.
         """
         link.progress("cap", 0.2)
-        flat = flat_mesh(self.arrangement, sorted({c.region for c in self.columns}), self.size, link, fixed)
+        flat = flat_mesh(self.arrangement, sorted({c.region for c in self.columns}), self.size, link, fixed, field)
         link.over()
         link.progress("levels", 0.8)
-        return extrude(self, flat, layers)
+        return extrude(self, flat, field or SizeField(self.size), layers)

@@ -42,8 +42,7 @@ class Places:
         """(n,3) points of a CAD edge over the nodes of a piece."""
         key = c, source[0].edge, source[1]
         if key not in self._on_edge:
-            n = len(self.flat.on_piece[c]) - 1
-            self._on_edge[key] = source_points(self._pieces[c], source, np.arange(n + 1) / n)
+            self._on_edge[key] = source_points(self._pieces[c], source, self.flat.stops[c])
         return self._on_edge[key]
 
     def begun(self, ends, rims, quads, nominal):

@@ -25,7 +25,7 @@ ENOUGH = 0.7                    # of the scaled Jacobian that corners of the out
 MOST_SLANTED = 0.6              # part of the area that may lie neither across a direction nor along it
 STEEPS = tuple(np.sin(np.radians((30.0, 50.0))))    # angles up to which faces aslant are sides, in turn
 SHARE = 0.3                     # of the time limit, in processor time: no try is begun then
-MOST_VOLUME = 0.05              # part by which the volume may differ from the solid's
+MOST_VOLUME = 0.12              # part by which the volume may be off before round faces get more quads
 
 
 @dataclass
@@ -54,10 +54,11 @@ class Layered:
         return self.good, min(self.quality.min, POOR), self.factor, self.quality.min, self.quality.mean
 
 
-def layered_surface(solid, size, link, timeout, care=0):
+def layered_surface(solid, size, link, timeout, sizes, care=0):
     """Quads on a solid all of whose faces lie across a direction, along it, or are seen from it everywhere.
 
-    timeout: seconds for all of the surface; care: above 0 another size was tried before, with smaller ones
+    timeout: seconds for all of the surface; sizes: SizeField by place, at most `size`
+    care: above 0 another size was tried before, with smaller ones
     Returns a dict of points (V,3), quads (n,4), faces (n,), hexes (H,8) and notes. Raises WorkerFault NOT_LAYERED.
     """
     if care:
@@ -69,7 +70,7 @@ def layered_surface(solid, size, link, timeout, care=0):
         raise WorkerFault("NOT_LAYERED", "no direction in which every face lies across it, along it, or is seen from "
                           f"it: {refused}")
     best, faults = search(directions, lambda direction, factor: _meshed(
-        shape, direction, size, factor, link), begun + SHARE * timeout)
+        shape, direction, size, factor, link, sizes), begun + SHARE * timeout)
     if best is None:
         raise WorkerFault("NOT_LAYERED", "; ".join(faults) or "no time left")
     aslant = best.mesh.aslant
@@ -77,7 +78,7 @@ def layered_surface(solid, size, link, timeout, care=0):
     return surface_of(best, faults, "layered", what)
 
 
-def _meshed(shape, direction, size, factor, link):
+def _meshed(shape, direction, size, factor, link, sizes):
     """The Layered along a direction, with faces as sides up to the first of STEEPS with which it is good."""
     known, best, fault = [], None, None
     for steep in STEEPS:
@@ -86,7 +87,7 @@ def _meshed(shape, direction, size, factor, link):
             continue
         known.append(roles)
         try:
-            mesh = layered_mesh(shape, direction, size * factor, link, steep)
+            mesh = layered_mesh(shape, direction, size * factor, link, steep, sizes.scaled(factor))
             if mesh.aslant:
                 mesh.points = slid(shape, mesh)
             found = judged(shape, mesh, direction, factor)

@@ -10,6 +10,7 @@ from ..link import Link
 from ..smooth import evenness, merit, placed, scaled_jacobian
 from ..templates import BONUS, GOOD, is_fine, lowest, templated
 from .lattice import lattice_plans, lattices_of
+from .simple import touching
 from .split import split_mesh
 
 LEAST = 0.02        # a mesh with a worse quad is none
@@ -77,6 +78,10 @@ def _check(region):
         raise NoPlaneMesh(f"an odd number of boundary points ({count}) bounds no quads")
     if not region.area > 0.0:
         raise NoPlaneMesh("the boundary encloses no area")
+    crossed = len(touching(region.loops))
+    if crossed:
+        raise NoPlaneMesh(f"the boundary's chords cross or touch in {crossed} places: its intervals are long beside a "
+                          "narrow wall")
 
 
 def _paved(region, size, link, label):

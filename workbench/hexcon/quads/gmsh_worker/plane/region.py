@@ -52,8 +52,8 @@ class PlaneRegion:
 
     @cached_property
     def limit(self):
-        """The scaled Jacobian that no quad mesh can exceed."""
-        return sharpest_sine(self.turns)
+        """The scaled Jacobian that no quad mesh can exceed: of the polygon, whose corners are blunter than cusps."""
+        return sharpest_sine([_turns_of(loop)[rows] for loop, rows in zip(self.loops, self.corners)])
 
     def outline(self, size):
         """The Outline of which each edge is one interval of this boundary. size: wanted edge length inside."""
@@ -63,9 +63,14 @@ class PlaneRegion:
                        [np.arctan2(w[:, 1], w[:, 0]) for w in ways], lambda shares: self.loops, None, size)
 
 
-def _corners_of(loop):
-    """(N,) left turn of a polygon at its points, 0 where that is no corner."""
+def _turns_of(loop):
+    """(N,) left turn of a polygon at its points."""
     ahead = np.roll(loop, -1, axis=0) - loop
     heading = np.arctan2(ahead[:, 1], ahead[:, 0])
-    turn = (heading - np.roll(heading, 1) + np.pi) % (2 * np.pi) - np.pi
+    return (heading - np.roll(heading, 1) + np.pi) % (2 * np.pi) - np.pi
+
+
+def _corners_of(loop):
+    """(N,) the same, 0 where that is no corner."""
+    turn = _turns_of(loop)
     return np.where(np.abs(turn) > CORNER, turn, 0.0)
