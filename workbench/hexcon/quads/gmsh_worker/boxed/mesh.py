@@ -26,7 +26,7 @@ MOST_ROUNDS = 5     # of finding lines that meet boxes: each is a cut of the sol
 class BoxedMesh(LayeredMesh):
     """boxes: how many; levels, rings: outside of them; flat: of the part that is worst."""
 
-    boxes: int
+    boxes: int = 0
 
 
 def boxed_mesh(shape, skin, direction, size, link, end=np.inf):
@@ -61,7 +61,7 @@ def _with_boxes(shape, skin, boxes, direction, size, link, end):
     faces = cad_faces(shape, skin, points, quads, owner, near)
     flats = [mesh.flat for mesh in [*rest, *(mesh for _, mesh in pieces)]]
     return BoxedMesh(points, hexes, quads, faces, sum(m.rings for m in rest), sum(m.levels for m in rest),
-                     min(flats, key=lambda flat: flat.limit), rest[0].plane, 0, len(boxes))
+                     min(flats, key=lambda flat: flat.limit), rest[0].plane, 0, boxes=len(boxes))
 
 
 @contextlib.contextmanager

@@ -6,7 +6,6 @@ import numpy as np
 
 from .fault import NotLayered
 from .places import Places
-from .side_places import sides_of
 
 STOPS = 32          # heights between two levels at which sizes are asked for
 _WALL = -1
@@ -16,7 +15,9 @@ _SIDES = np.array([[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
 @dataclass
 class LayeredMesh:
     """points (P,3), hexes (H,8), quads (n,4) outward, faces (n,): CAD faces; rings: how many layers of hexes; levels:
-    how many; flat: the FlatMesh, plane: the CapPlane that it is in; aslant: how many sides are not along its normal."""
+    how many; flat: the FlatMesh, plane: the CapPlane that it is in; aslant: how many sides are not along its normal;
+    node, level (P,): of the FlatMesh under each point, and number of its level, -1 between levels; None where sheets
+    went in; blends: how many CAD faces of blends have rows of quads by sheets."""
 
     points: np.ndarray
     hexes: np.ndarray
@@ -27,6 +28,9 @@ class LayeredMesh:
     flat: object
     plane: object
     aslant: int
+    node: "np.ndarray | None" = None
+    level: "np.ndarray | None" = None
+    blends: int = 0
 
 
 def extrude(standing, flat, field, layers=None):
@@ -35,7 +39,7 @@ def extrude(standing, flat, field, layers=None):
     around = {r: sorted(standing.arrangement.regions[r].pieces) for r in flat.quads}
     nodes_of = {r: np.unique(q) for r, q in flat.quads.items()}
     sheets = _sheets(places, columns, levels, around, nodes_of)
-    rings = _rings(columns, levels, nodes_of, sheets, standing.plane, field, layers or (lambda *_: None))
+    rings = _rings(standing, nodes_of, sheets, field, layers or (lambda *_: None))
     return _Build(places, columns, levels, nodes_of, sheets, rings).mesh(standing)
 
 
@@ -53,10 +57,10 @@ def _sheets(places, columns, levels, around, nodes_of):
     return places.all_sheets(begun, [(nodes_of[c.region], stack) for c, stack in zip(columns, levels.stacks)])
 
 
-def _rings(columns, levels, nodes_of, sheets, plane, field, layers):
+def _rings(standing, nodes_of, sheets, field, layers):
     """(lower level, upper level) -> (n,) shares at which layers of hexes lie between them."""
-    gaps = {}
-    for column, stack in zip(columns, levels.stacks):
+    gaps, plane = {}, standing.plane
+    for column, stack in zip(standing.columns, standing.levels.stacks):
         nodes = nodes_of[column.region]
         for pair in zip(stack[:-1], stack[1:]):
             low, high = (sheets[level][nodes] for level in pair)
@@ -65,7 +69,8 @@ def _rings(columns, levels, nodes_of, sheets, plane, field, layers):
                 raise NotLayered("levels meet or cross", [column.low, column.high])
             gaps.setdefault(pair, []).append((gap, _least_sizes(field, low, high)))
     made = {pair: layers(*pair) for pair in gaps}
-    return {pair: _layers(rows) if made[pair] is None else made[pair] for pair, rows in gaps.items()}
+    return {pair: _layers(rows, standing.stops_between(*pair)) if made[pair] is None else made[pair]
+            for pair, rows in gaps.items()}
 
 
 def _least_sizes(field, low, high):
@@ -76,14 +81,18 @@ def _least_sizes(field, low, high):
     return field((low + (high - low) * shares).reshape(-1, 3)).reshape(STOPS, -1).min(1)
 
 
-def _layers(rows):
-    """(n,) shares, of (gaps over nodes, least sizes): as many as the mean gap has elements."""
+def _layers(rows, stops):
+    """(n,) shares, stops among them, of (gaps over nodes, least sizes): as many as the mean gap has elements."""
     gap = sum(g.sum() for g, _ in rows) / sum(len(g) for g, _ in rows)
     sizes = np.min([s for _, s in rows], axis=0)
     sums = np.concatenate([[0.0], np.cumsum(gap / STOPS / sizes)])
-    count = max(1, int(np.rint(sums[-1])))
-    even = np.arange(count + 1) / count
-    return even if np.ptp(sizes) == 0.0 else np.interp(even * sums[-1], sums, np.arange(STOPS + 1) / STOPS)
+    shares = np.arange(STOPS + 1) / STOPS
+    at = np.interp(stops, shares, sums)
+    ends = []
+    for low, high in zip(at[:-1], at[1:]):
+        count = max(1, int(np.rint(high - low)))
+        ends.append(low + (high - low) * np.arange(1, count + 1) / count)
+    return np.interp(np.concatenate([[0.0], *ends]), sums, shares)
 
 
 class _Build:
@@ -112,12 +121,13 @@ class _Build:
         alone = once(faces)
         quads, owners = faces[alone], owners[alone]
         walls = np.flatnonzero(owners == _WALL)
-        owners[walls] = self._wall_faces(standing, points, quads[walls])
+        node, level = self._origins(len(points))
+        owners[walls] = self._wall_faces(standing, points, quads[walls], node)
         if (owners == 0).any():
             raise NotLayered("columns do not meet: a level is missing on one side of a piece")
         rings = sum(len(shares) - 1 for shares in self._rings.values())
         return LayeredMesh(points, hexes, quads, owners, rings, len(self._sheets), flat, self._places.plane,
-                           len(standing.aslant))
+                           len(standing.aslant), node, level)
 
     def _layers(self, nodes, stack):
         """List of (total,) ids of points, -1 where there is none, from the lowest up."""
@@ -137,12 +147,19 @@ class _Build:
         self._count += int(new.sum())
         return ids
 
-    def _wall_faces(self, standing, points, quads):
-        """(n,) the side that each wall quad lies on: over its place, between the edges where that side ends."""
-        node = np.empty(len(points), int)
-        for ids in self._ids.values():
+    def _origins(self, count):
+        """((P,) node of the flat mesh under each point, (P,) number of its level or -1)."""
+        node, level = np.empty(count, int), np.full(count, -1)
+        number = {one: k for k, one in enumerate(sorted(self._sheets))}
+        for key, ids in self._ids.items():
             used = np.flatnonzero(ids >= 0)
             node[ids[used]] = used
+            if len(key) == 1:
+                level[ids[used]] = number[key[0]]
+        return node, level
+
+    def _wall_faces(self, standing, points, quads, node):
+        """(n,) the side that each wall quad lies on: over its place, between the edges where that side ends."""
         segment = {}
         for c, ids in self._places.flat.on_piece.items():
             for k, (a, b) in enumerate(zip(ids[:-1], ids[1:])):
@@ -157,12 +174,11 @@ class _Build:
         return owners
 
     def _sides_on(self, c, standing):
-        """[(side, heights of its lower edge in the middle of each interval, of its upper edge)]."""
+        """As standing.walls_over, in the middle of each interval."""
         def heights(source):
             z = self._places.plane.height(self._places.on_source(c, source))
             return (z[:-1] + z[1:]) / 2
-        return [(face, heights(low), heights(high)) for face, low, high in
-                sides_of(standing.arrangement.pieces[c], self._places.solid, standing.roles, heights)]
+        return standing.walls_over(c, heights)
 
 
 def once(faces):

@@ -44,11 +44,15 @@ class Heights:
         return float(self._plane.height(np.concatenate([solid.edge_points(e, np.array([0.0, 0.5]))
                                                         for e in solid.boundary[face]])).mean())
 
+    def edges_of(self, face):
+        """CAD edges at whose heights a cap ends."""
+        return {abs(e) for e in self._shape.solid.boundary[face]}
+
     def over_piece(self, c, face):
         """(3,) heights of a cap over MIDDLES of a piece: of its own edge where it ends there."""
         if (c, face) not in self._known:
-            piece, edges = self._pieces[c], {abs(e) for e in self._shape.solid.boundary[face]}
-            source = piece.source(edges)
+            piece = self._pieces[c]
+            source = piece.source(self.edges_of(face))
             self._known[c, face] = self.of_source(c, source) if source else self.of_face(face, piece.at(MIDDLES))
         return self._known[c, face]
 

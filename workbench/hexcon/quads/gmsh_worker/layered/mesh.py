@@ -12,6 +12,7 @@ from .flat_mesh import flat_mesh
 from .heights import Heights
 from .levels import Levels
 from .roles import PARALLEL, Role
+from .side_places import sides_of
 from .upright import Upright
 
 SAME_PLACE, SAME_HEIGHT = 2e-3, 1e-3    # of the size: nearer is one, seen along the direction and in height
@@ -46,10 +47,25 @@ class Standing:
         self.upright = Upright(shape, self.plane, self.roles, self.aslant)
         edges = [e for e in solid.edges if solid.faces_of[e][0] != solid.faces_of[e][1]]
         self.arrangement = arrange(solid, self.upright, edges, SAME_PLACE * size)
-        self.heights = Heights(shape, self.plane, self.arrangement)
+        self.heights = self._heights()
         self.columns = columns(self.arrangement, self.roles, solid, self.heights)
         self.levels = Levels(self.arrangement, self.columns, self.heights, solid, self.roles,
                              SAME_HEIGHT * size, NEAR * size)
+
+    def _heights(self):
+        return Heights(self.shape, self.plane, self.arrangement)
+
+    def stops_between(self, low, high):
+        """(n,) shares, from 0 to 1, between two levels at which a layer of hexes has to end."""
+        return np.array([0.0, 1.0])
+
+    def walls_over(self, c, heights):
+        """[(side, (n,) heights of its lower edge, of its upper edge)] over a piece.
+
+        heights: callable (source) -> (n,)
+        """
+        return [(face, heights(low), heights(high)) for face, low, high in
+                sides_of(self.arrangement.pieces[c], self.shape.solid, self.roles, heights)]
 
     def mesh(self, link, fixed=None, layers=None, field=None):
         """The extrude.LayeredMesh, its inner points not yet improved.

@@ -33,7 +33,6 @@ class Places:
     def __init__(self, standing, flat):
         self.solid, self.plane, self.flat = standing.shape.solid, standing.plane, flat
         self._heights, self._pieces, self._size = standing.heights, standing.arrangement.pieces, standing.size
-        self._edges = {f: {abs(e) for e in self.solid.boundary[f]} for f in self.solid.faces}
         self._on_edge = {}
         self._sides = SidePlaces(self, standing.arrangement, standing.roles, standing.upright) \
             if standing.upright.moving else None
@@ -99,8 +98,9 @@ class Places:
         return made
 
     def _onto_edges(self, sheet, cap, pieces):
+        edges = self._heights.edges_of(cap)
         for c in pieces:
-            source = self._pieces[c].source(self._edges[cap])
+            source = self._pieces[c].source(edges)
             if source is not None:
                 self._onto(sheet, c, source)
 

@@ -2,11 +2,13 @@
 """Surface method layered: directions and sizes are tried until hexes come out that are certified and good."""
 import time
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 import hexcon_native as hn
 
+from ..blends.mesh import Blends
 from ..cad_fit import volume_and_area
 from ..fault import WorkerFault
 from ..smooth import evenness
@@ -69,35 +71,43 @@ def layered_surface(solid, size, link, timeout, sizes, care=0):
     if not directions:
         raise WorkerFault("NOT_LAYERED", "no direction in which every face lies across it, along it, or is seen from "
                           f"it: {refused}")
+    blends, told = Blends(shape, size), []
     best, faults = search(directions, lambda direction, factor: _meshed(
-        shape, direction, size, factor, link, sizes), begun + SHARE * timeout)
+        blends, direction, size, factor, link, sizes, told), begun + SHARE * timeout)
     if best is None:
-        raise WorkerFault("NOT_LAYERED", "; ".join(faults) or "no time left")
-    aslant = best.mesh.aslant
+        raise WorkerFault("NOT_LAYERED", "; ".join(told + faults) or "no time left")
+    aslant, sheets = best.mesh.aslant, best.mesh.blends
     what = f"{aslant} drafted face{'s' * (aslant > 1)} as sides, " if aslant else ""
-    return surface_of(best, faults, "layered", what)
+    what += f"{sheets} blend{'s' * (sheets > 1)} by sheets, " if sheets else ""
+    return surface_of(best, told + faults, "layered", what)
 
 
-def _meshed(shape, direction, size, factor, link, sizes):
-    """The Layered along a direction, with faces as sides up to the first of STEEPS with which it is good."""
+def _meshed(blends, direction, size, factor, link, sizes, told):
+    """The Layered along a direction, with faces as sides up to the first of STEEPS with which it is good.
+
+    blends: Blends of the solid: by sheets, or caps where that cannot be had; told: list of words why not
+    """
     known, best, fault = [], None, None
     for steep in STEEPS:
-        roles = shape.roles(direction, steep)
+        roles = blends.shape.roles(direction, steep)
         if roles in known:
             continue
         known.append(roles)
-        try:
-            mesh = layered_mesh(shape, direction, size * factor, link, steep, sizes.scaled(factor))
-            if mesh.aslant:
-                mesh.points = slid(shape, mesh)
-            found = judged(shape, mesh, direction, factor)
-        except NotLayered as error:
-            fault = fault or error
-            continue
-        if best is None or found.rank > best.rank:
-            best = found
-        if best.good and best.enough(POOR):
-            break
+        for by_sheets in (True, False)[not blends.along(direction, size * factor, steep):]:
+            try:
+                mesh = (blends.mesh if by_sheets else partial(layered_mesh, blends.shape))(
+                    direction, size * factor, link, steep, sizes.scaled(factor))
+                if mesh.aslant and not mesh.blends:
+                    mesh.points = slid(blends.shape, mesh)
+                found = judged(blends.shape, mesh, direction, factor)
+            except NotLayered as error:
+                told += [f"along {named(direction)}, blends by sheets: {error}"] if by_sheets else []
+                fault = fault or error
+                continue
+            if best is None or found.rank > best.rank:
+                best = found
+            if best.good and best.enough(POOR):
+                return best
     if best is None:
         raise fault
     return best
