@@ -6,6 +6,7 @@
 
 #include "base/context.h"
 #include "base/sorting.h"
+#include "base/system_clock.h"
 #include "support.h"
 
 typedef struct asked {
@@ -100,7 +101,7 @@ static void no_time_at_all(void **state) {
 static void reserves(void **state) {
   (void)state;
   hexcon_context *context = hexcon_context_new();
-  double now = context_clock();
+  double now = system_clock();
   context_limit(context, now - 50, 100); /* half of it is gone */
   context->rate = 1e-3;
   assert_int_equal(context_ask(context), HEXCON_OK);
@@ -137,7 +138,7 @@ static void brief_tries(void **state) {
   assert_close(context_patience(context), 0.25, 1e-15);
   context_resume(context, deadline);
   assert_close(context_patience(context), 1, 0);
-  double now = context_clock();
+  double now = system_clock();
   context_limit(context, now, 1000);
   deadline = context_be_brief(context, 0.25);
   assert_true(context->deadline > now + 240 && context->deadline < now + 260);

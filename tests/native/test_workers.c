@@ -6,7 +6,13 @@
 #include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
+
+#ifdef _WIN32
+#define WIN32_LEAN_AND_MEAN /* sockets have names of ours */
+#include <windows.h>
+#else
 #include <threads.h>
+#endif
 
 #include "base/workers.h"
 #include "support.h"
@@ -15,6 +21,21 @@ enum { MOST_THREADS = 8, MOST_ITEMS = 200 };
 
 static const size_t counts[] = {0, 1, 2, 7, MOST_ITEMS};
 enum { COUNTS = sizeof counts / sizeof *counts };
+
+/** Let other threads run. */
+static void yield(void) {
+#ifdef _WIN32
+  (void)SwitchToThread();
+#else
+  thrd_yield();
+#endif
+}
+
+/** Another address in each thread. */
+static const void *this_thread(void) {
+  static _Thread_local char here;
+  return &here;
+}
 
 /* ------------------------------------------------------------------------------------ all done */
 
@@ -95,14 +116,14 @@ static hexcon_status meet(void *user, hexcon_context *context, int worker, size_
   hexcon_status status = HEXCON_OK;
   if (worker == 0)
     while (!atomic_load(&m->failed))
-      thrd_yield();
+      yield();
   while (worker == 1 && !status) {
     status = context_progress(context, STAGE_MEASURING, 0.5);
     atomic_store(&m->asking, true);
   }
   if (worker == 2) {
     while (!atomic_load(&m->asking))
-      thrd_yield();
+      yield();
     status = context_fail(context, HEXCON_NOT_SWEPT, "the fault itself");
     atomic_store(&m->failed, true);
   }
@@ -122,14 +143,14 @@ static void fault_is_not_taken_for_cancellation(void **state) {
 /* -------------------------------------------------------------------------------- cancellation */
 
 typedef struct listener {
-  thrd_t caller;
+  const void *caller;
   int calls, cancel_at;
   bool wrong_thread, wrong_words;
 } listener;
 
 static bool listen(void *user, const char *stage, double fraction) {
   listener *l = user;
-  l->wrong_thread |= !thrd_equal(thrd_current(), l->caller);
+  l->wrong_thread |= this_thread() != l->caller;
   l->wrong_words |= strcmp(stage, "measuring, 64 hexes") != 0 || !(fraction >= 0 && fraction <= 1);
   return ++l->calls != l->cancel_at;
 }
@@ -140,7 +161,7 @@ static hexcon_status ask(void *user, hexcon_context *context, int worker, size_t
   for (int i = 0; !status && i < 20; i++)
     status = context_progress(context, STAGE_UNTANGLING, (double)i / 20);
   atomic_fetch_add((atomic_size_t *)user, item + 1);
-  thrd_yield();
+  yield();
   return status;
 }
 
@@ -149,7 +170,7 @@ static void cancellation_from_the_calling_thread(void **state) {
   hexcon_context *context = hexcon_context_new();
   for (int threads = 1; threads <= MOST_THREADS; threads++)
     for (int cancel_at = 0; cancel_at < 60; cancel_at += 6) {
-      listener l = {.caller = thrd_current(), .cancel_at = cancel_at};
+      listener l = {.caller = this_thread(), .cancel_at = cancel_at};
       atomic_size_t sum = 0;
       context_clear(context);
       context_tell_mesh(context, 64, 0, NAN);
@@ -211,9 +232,9 @@ static void *fragile_reallocate(void *user, void *memory, size_t size) {
   fragile_memory *f = user;
   if (atomic_exchange(&f->entered, true))
     atomic_fetch_add(&f->collisions, 1);
-  thrd_yield();
+  yield();
   void *result = test_reallocate(&f->memory, memory, size);
-  thrd_yield();
+  yield();
   atomic_store(&f->entered, false);
   return result;
 }

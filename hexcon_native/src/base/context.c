@@ -6,7 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
+
+#include "system_clock.h"
 
 /** A budget may be overrun by so many seconds, or by this part of it: a little less than what is
  * promised, which leaves some time to hand the mesh over. */
@@ -77,12 +78,6 @@ hexcon_status context_fail(hexcon_context *context, hexcon_status status, const 
   return status;
 }
 
-double context_clock(void) {
-  struct timespec now;
-  (void)timespec_get(&now, TIME_UTC);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 void context_tell_mesh(hexcon_context *context, size_t hexes, size_t inverted, double worst) {
   char *figures = context->figures;
   const size_t size = sizeof context->figures;
@@ -113,14 +108,14 @@ void context_limit(hexcon_context *context, double start, double budget) {
 
 void context_reserve(hexcon_context *context, size_t hexes, bool finished) {
   const double needed = context->again + context->rate * (double)hexes;
-  const bool fits = context->deadline > 0 && context_clock() + needed <= context->deadline;
+  const bool fits = context->deadline > 0 && system_clock() + needed <= context->deadline;
   context->reserve = hexes > 0 && (fits || finished) ? needed : 0;
 }
 
 double context_be_brief(hexcon_context *context, double part) {
   const double deadline = context->deadline;
   if (deadline > 0)
-    context->deadline = fmin(deadline, context_clock() + part * (deadline - context_clock()));
+    context->deadline = fmin(deadline, system_clock() + part * (deadline - system_clock()));
   context->left_out = 1 - part;
   return deadline;
 }
@@ -150,7 +145,7 @@ hexcon_status context_progress(hexcon_context *context, progress_stage stage, do
   const char *name = hexcon_progress_stage(stage)->name;
   if (!context_report(context, stage, fraction))
     return context_fail(context, HEXCON_CANCELLED, "cancelled during %s", name);
-  if (context->deadline > 0 && context_clock() > context->deadline - context->reserve)
+  if (context->deadline > 0 && system_clock() > context->deadline - context->reserve)
     return context_fail(context, HEXCON_OUT_OF_TIME,
                         "the time budget ran out during %s, before there was a mesh: allow more "
                         "time, or mesh with larger quads",

@@ -24,7 +24,7 @@ struct hexcon_context {
   void *progress_user;
   hexcon_reallocate reallocate;
   void *reallocate_user;
-  double deadline;      /**< by context_clock; 0: none */
+  double deadline;      /**< by system_clock; 0: none */
   double budget;        /**< seconds; 0: none */
   double reserve;       /**< seconds before the deadline at which the work is stopped; see
                              context_reserve and context_finish */
@@ -48,9 +48,6 @@ void context_add_element(hexcon_context *context, int32_t element);
 /** Store the words (printf) of a fault and return its status. */
 hexcon_status context_fail(hexcon_context *context, hexcon_status status, const char *format, ...)
     __attribute__((format(CONTEXT_PRINTF, 3, 4)));
-
-/** Seconds since an arbitrary start. */
-double context_clock(void);
 
 /**
  * What is known of the mesh at work: progress says it after every stage's name from here on, until

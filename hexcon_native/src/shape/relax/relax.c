@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/system_clock.h"
 #include "corner_targets.h"
 #include "hexmesh/hex_arrays.h"
 #include "hexmesh/hex_tables.h"
@@ -254,7 +255,7 @@ hexcon_status hexcon_relax(hexcon_context *context, const double *points, size_t
     status = sliding_points_new(context, sliding, point_count, &s);
   if (!status) {
     memmove(positions, points, 3 * point_count * sizeof *points);
-    context_limit(context, context_clock(), chosen.budget);
+    context_limit(context, system_clock(), chosen.budget);
     status = sliding_points_project(context, &s, NULL, point_count, positions, NULL);
   }
   if (!status)

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/system_clock.h"
 #include "solve/common/filled_mesh.h"
 #include "solve/methods.h"
 
@@ -122,7 +123,7 @@ static double worth_of_a_try(const hexcon_mesh *best) {
 
 /** Whether the time is up for all, and not for one try alone. */
 static bool is_time_up(const hexcon_context *context) {
-  return context->deadline > 0 && context_clock() >= context->deadline;
+  return context->deadline > 0 && system_clock() >= context->deadline;
 }
 
 /** @return whether there is one */

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/system_clock.h"
 #include "raise_order.h"
 
 void mesh_note(hexcon_mesh *mesh, const char *name, double value) {
@@ -50,7 +51,7 @@ bool mesh_stop(hexcon_context *context, hexcon_status status) {
 }
 
 double mesh_clock(void) {
-  return context_clock();
+  return system_clock();
 }
 
 void mesh_note_seconds(hexcon_mesh *mesh, const char *stage, double start) {
