@@ -21,6 +21,7 @@
 # make measured  bench, compare, parts and csg, one after the other (hours), and docs/measured.md from their results
 # make fuzz    libFuzzer on the core's calls, with the sanitizers (clang); FUZZ_SECONDS: how long, FUZZ_RUNS: how often
 # make build   the core alone, in place
+# make release HexCon-x.y.z.zip in build/zip: an addon that needs no compiler, for Linux (x86_64, aarch64) and Windows
 # make link    the core, and a link to this folder where FreeCAD looks for addons, which differs between its versions
 # FREECADCMD and PYTHON may name another FreeCAD and its interpreter.
 
@@ -37,7 +38,7 @@ sources = $(shell git ls-files 'hexcon_native/*.[ch]' 'tests/native/*.[ch]' 'exa
             find hexcon_native tests/native examples -name '*.[ch]')
 native = $(wildcard hexcon_native/src/*/*.c hexcon_native/src/*/*/*.c)
 
-.PHONY: run test test-current build link bench bench-window compare compare-optimizer parts csg solids scoreboard grid-beside measured gallery screenshots setup-run setup-test setup-lint setup-fuzz \
+.PHONY: run test test-current build release link bench bench-window compare compare-optimizer parts csg solids scoreboard grid-beside measured gallery screenshots setup-run setup-test setup-lint setup-fuzz setup-release \
   lint lint-c lint-python lint-shell sanitized-build native-test hostile-test python-test fuzz clean
 
 run: setup-run build
@@ -51,13 +52,16 @@ test-current:
 
 test: setup-test build native-test fuzz hostile-test python-test
 
-setup-run setup-test setup-lint setup-fuzz:
+setup-run setup-test setup-lint setup-fuzz setup-release:
 	@env FREECADCMD=$(filter-out freecadcmd,$(FREECADCMD)) scripts/setup.sh $(@:setup-%=%)
 
 build:
 	@[ -f $(build)/build.ninja ] || cmake -S hexcon_native -B $(build) -G Ninja \
 	  -DPython3_EXECUTABLE=$(python) >/dev/null
 	@ninja -C $(build) --quiet
+
+release: setup-release
+	@scripts/release.sh build/zip
 
 link: build
 	@folder=$$($(FREECADCMD) scripts/mod_folder.py </dev/null 2>/dev/null | sed -n 's/^FREECAD_MOD=//p') && [ -n "$$folder" ] || \
@@ -88,7 +92,7 @@ lint-python:
 	PYTHONPATH=.:workbench $(python) scripts/translations.py --check
 
 lint-shell:
-	shellcheck scripts/*.sh .ci/run bin/hexcon
+	shellcheck scripts/*.sh scripts/release/*.sh .ci/run bin/hexcon
 
 sanitized-build:
 	@[ -f $(sanitized)/build.ninja ] && [ -d $(sanitized_package) ] || { mkdir -p $(sanitized_package) && cmake -S hexcon_native -B $(sanitized) -G Ninja \

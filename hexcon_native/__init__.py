@@ -14,15 +14,14 @@ import reprlib
 
 import numpy as np
 
+from . import core_builds
 from .errors import HexconError
 
 try:
+    __path__.append(core_builds.folder())  # noqa: F821  a package has it
     from . import _core
 except ImportError as fault:
-    raise ImportError(
-        "HexCon's native core is missing or does not load "
-        f"({fault}). Build it with `make build` in HexCon's folder."
-    ) from fault
+    raise ImportError(core_builds.what_is_missing(fault)) from fault
 
 from .carriers import Carrier, Facets, packed, packed_facets  # after the guard: it reads the core
 from .tables import (

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Install what is missing, and only that. Usage: setup.sh run|test|lint|fuzz
+# Install what is missing, and only that. Usage: setup.sh run|test|lint|fuzz|release
 # FREECADCMD set: that FreeCAD is used and Debian's is not installed.
 set -eu
 build="gcc libc6-dev make cmake ninja-build python3-dev python3-numpy"
@@ -14,7 +14,8 @@ case "$1" in
   lint) packages="$build python3-mypy libcmocka-dev clang-format clang-tidy cppcheck shellcheck"
         # Debian has no ruff; npm has it, as WebAssembly.
         command -v npm >/dev/null || packages="$packages nodejs npm" ;;
-  *) echo "setup: run, test, lint or fuzz, not $1" >&2; exit 2 ;;
+  release) packages="$build gcc-mingw-w64-x86-64-win32 gcc-aarch64-linux-gnu libcmocka-dev qemu-user wine wine64" ;;
+  *) echo "setup: run, test, lint, fuzz or release, not $1" >&2; exit 2 ;;
 esac
 if ! command -v dpkg-query >/dev/null; then
   echo "setup: no Debian packages here; these must be present: $packages"

@@ -385,6 +385,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Get gmsh for FreeCAD's Python</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>one per processor</source>
         <translation type="unfinished"></translation>
     </message>

@@ -27,4 +27,8 @@ for package in "$folder"/packages/*.deb; do
   dpkg-deb -x "$package" "$folder"
 done
 rm -rf "$folder/apt" "$folder/packages"
+# links to /lib/... would lead out of the folder
+find "$folder" -type l -lname '/*' | while read -r link; do
+  ln -srf "$folder$(readlink "$link")" "$link"
+done
 touch "$folder/whole"

@@ -37,6 +37,7 @@
 #define HAVE_UNISTD_H 1
 #define HAVE_SYS_TIME_H 1
 #define HAVE_SYS_SELECT_H 1
+#define _POSIX_C_SOURCE 200809L
 #endif
 
 #endif

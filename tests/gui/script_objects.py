@@ -415,6 +415,12 @@ def fem_has_the_menu_and_preferences_the_page():
     told = page.form.findChild(QtGui.QLabel, "setup").text()
     assert "native core" in told and "/nowhere/ccx" in told, told
     page.form.findChild(QtGui.QLineEdit, "ccx").setText("")
+    getter = page.form.findChild(QtGui.QPushButton, "get_gmsh")
+    assert getter.isHidden()
+    page.form.findChild(QtGui.QLineEdit, "GmshPython").setText("/nowhere/python")
+    page.form.findChild(QtGui.QPushButton, "check_setup").click()
+    assert not getter.isHidden()
+    page.form.findChild(QtGui.QLineEdit, "GmshPython").setText("")
     page.saveSettings()
 
 

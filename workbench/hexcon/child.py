@@ -13,7 +13,7 @@ import threading
 import time
 from dataclasses import dataclass
 
-from . import keeper
+from . import interpreter, keeper
 from .errors import FaultCode, ToolError
 
 POLL = 0.03             # seconds between looks at a child
@@ -47,7 +47,7 @@ def run(command, program, *, folder=None, environment=None, timeout=None, limit=
 
     command      list of str; the first is found as Popen does
     program      its name, for words
-    folder       working folder;  environment: dict, None: this process's
+    folder       working folder;  environment: dict, None: program_environment
     timeout      seconds, None: no limit;  limit: when they are over by the monotonic clock, None: counted from now
     look         callable () asked every POLL seconds; whatever it raises ends the child and comes out here
     most_files   bytes that the files right in the working folder may take, None: as many as there is room for
@@ -56,7 +56,7 @@ def run(command, program, *, folder=None, environment=None, timeout=None, limit=
     """
     if limit is None and timeout is not None:
         limit = time.monotonic() + timeout
-    child = _Child(command, folder, environment)
+    child = _Child(command, folder, program_environment(command[0]) if environment is None else environment)
     try:
         child.begin(program)
         child.watch(program, limit, timeout, look, most_files)
@@ -134,10 +134,7 @@ class _Child(threading.Thread):
             self._known.wait()
         if self.process is None:
             return
-        try:
-            keeper.end_group(self.process.pid, self.process.poll)
-        except AttributeError:      # no process groups
-            self.process.kill()
+        keeper.end_group(self.process.pid, self.process.poll)
         self.process.wait()
         keeper.let_group_go(self.process.pid)
         self.join(1.0)              # one that left the session may hold the pipe
@@ -158,23 +155,49 @@ def _size_of(folder):
     return total
 
 
-# ------------------------------------------------------------------------------ Python as a child
+# ------------------------------------------------------------------------------ what a child finds set
+
+_LIBRARY_PATHS = ("LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH")
+
+
+def program_environment(program, **more):
+    """Environment of a child: the libraries of FreeCAD's bundle are for its own programs, and would break the system's.
+
+    program  which is run;  more: other variables
+    """
+    kept = dict(os.environ)
+    if not interpreter.is_bundled(shutil.which(program) or program):
+        for name in _LIBRARY_PATHS:
+            folders = [folder for folder in kept.pop(name, "").split(os.pathsep) if folder and not interpreter.is_bundled(folder)]
+            if folders:
+                kept[name] = os.pathsep.join(folders)
+    return {**kept, **more}
+
 
 def python_environment(python, folders=(), **more):
-    """Environment of a child that is, or holds, a Python: what it imports never comes from the working folder.
+    """program_environment of a child that is, or holds, a Python: what it imports never comes from the working folder.
 
     python   the program;  folders: where it finds modules first;  more: other variables
     PYTHONPATH, but for its relative entries (an empty one is the working folder), and PYTHONHOME go along only to the
-    interpreter that they were set for: this one.
+    interpreter that they were set for: this one, or FreeCAD's own, which also gets what the Addon Manager has installed.
     """
-    try:
-        own = os.path.samefile(shutil.which(python) or python, sys.executable)
-    except (OSError, TypeError):        # it is not there, or this process does not know its own program
-        own = False
-    given = os.environ.get("PYTHONPATH", "").split(os.pathsep) if own else []
+    own = _is_own(python)
+    given = os.environ.get("PYTHONPATH", "").split(os.pathsep) + added_packages() if own else []
     left_out = {"PYTHONPATH", "PYTHONINSPECT", "PYTHONSTARTUP"} | (set() if own else {"PYTHONHOME"})
-    kept = {name: value for name, value in os.environ.items() if name not in left_out}
+    kept = {name: value for name, value in program_environment(python).items() if name not in left_out}
     path = os.pathsep.join([*folders, *(entry for entry in given if os.path.isabs(entry))])
     if path:
         kept["PYTHONPATH"] = path
     return {**kept, "PYTHONSAFEPATH": "1", **more}
+
+
+def _is_own(python):
+    try:
+        return os.path.samefile(shutil.which(python) or python, shutil.which(interpreter.python()) or interpreter.python())
+    except OSError:     # one of them is not there
+        return False
+
+
+def added_packages():
+    """Where the Addon Manager has put Python packages that FreeCAD's Python lacks; empty outside of FreeCAD."""
+    return [entry for entry in sys.path if "AdditionalPythonPackages" in entry.replace(os.sep, "/").split("/")]

@@ -86,6 +86,12 @@ def version():
     return int(text[0]), int(text[1])
 
 
+def packages_folder():
+    """Where the Addon Manager puts Python packages, and FreeCAD looks for them: since 0.21 by the Python's version."""
+    folder = os.path.join(freecad().getUserAppDataDir(), "AdditionalPythonPackages")
+    return folder if version() < (0, 21) else os.path.join(folder, "py{}{}".format(*sys.version_info[:2]))
+
+
 def add_mesh_object(doc, name, solid):
     """A Fem::FemMeshObjectPython linked to the solid, so that FEM does not warn of a
     "mesh without a link to a Shape". The link is called Part up to 0.21 and Shape from

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Run gmsh in a process of its own: it may crash, hang, or be cancelled without harm to the caller.
 
-The interpreter is $HEXCON_GMSH_PYTHON, or else the one in FreeCAD's preferences for HexCon, or else this one if it has gmsh, numpy and SciPy, or else /usr/bin/python3.
+The interpreter is $HEXCON_GMSH_PYTHON, or else the one in FreeCAD's preferences for HexCon, or else the first that has gmsh, numpy and
+SciPy of: this one, FreeCAD's own, the system's, the first on PATH.
 """
 import functools
 import importlib.util
@@ -12,7 +13,7 @@ import sys
 import time
 
 import hexcon_native
-from hexcon import answers, child, disk, preferences
+from hexcon import answers, child, disk, interpreter, preferences
 from hexcon.errors import FaultCode, ToolError
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -25,34 +26,72 @@ ASKING = 60     # seconds in which an interpreter must have imported gmsh
 CRASHES = 30    # so often a job is started again without the step that killed it
 
 
+NEEDED = ("gmsh", "numpy", "scipy")
+SYSTEM_PYTHON = "/usr/bin/python3"
+_ASK = ("import importlib.util; "
+        f"print(*[name for name in {NEEDED} if importlib.util.find_spec(name) is None], flush=True); "
+        f"import {', '.join(NEEDED)}")
+
+
 @functools.cache
 def gmsh_python(named=None):
     """Path of a Python that can `import gmsh, numpy, scipy`. named: the value of HEXCON_GMSH_PYTHON, or of
     FreeCAD's preference for HexCon, if set.
 
-    Raises ToolError TOOL_MISSING. The answer is kept for the life of the process.
+    Raises ToolError TOOL_MISSING, which says of each Python that was asked what it lacks. The answer is kept for the life
+    of the process, until forget_gmsh_python.
     """
     if named:
         found = shutil.which(os.path.expanduser(named))
-        if found and _has_gmsh(os.path.abspath(found)):
+        if found and not _lacks(os.path.abspath(found)):
             return os.path.abspath(found)       # work is done in another folder
         raise ToolError(f"HEXCON_GMSH_PYTHON (or HexCon's preference) is {named}, which cannot import gmsh, numpy and scipy", FaultCode.TOOL_MISSING)
-    is_python = os.path.basename(sys.executable or "").lower().startswith("python")
-    if is_python and all(importlib.util.find_spec(m) for m in ("gmsh", "numpy", "scipy")):
+    if interpreter.is_python(sys.executable) and all(importlib.util.find_spec(name) for name in NEEDED):
         return sys.executable
-    if _has_gmsh("/usr/bin/python3"):
-        return "/usr/bin/python3"
-    raise ToolError("no Python with gmsh, numpy and scipy was found: install python3-gmsh and python3-scipy, or set "
-                    "HEXCON_GMSH_PYTHON to the interpreter that has them", FaultCode.TOOL_MISSING)
+    asked = []
+    for python in _pythons():
+        lacks = _lacks(python)
+        if not lacks:
+            return python
+        asked.append(f"{python} {lacks}")
+    raise ToolError(f"no Python with gmsh, numpy and scipy was found: {'; '.join(asked) or 'there is no Python at all'}. "
+                    + how_to_get_gmsh(), FaultCode.TOOL_MISSING)
 
 
-def _has_gmsh(python):
+forget_gmsh_python = gmsh_python.cache_clear
+
+
+def how_to_get_gmsh():
+    """Words for the user: where gmsh's Python module comes from."""
+    words = ("Install gmsh and scipy from FreeCAD's Addon Manager or by HexCon's preferences, or (Debian) python3-gmsh and "
+             "python3-scipy, or set HEXCON_GMSH_PYTHON to the interpreter that has them")
+    program = shutil.which("gmsh")
+    return f"The program {program} alone is not enough, its Python module is needed. {words}" if program else words
+
+
+def _pythons():
+    """Those to ask, each once: FreeCAD's own, the system's, the first on PATH."""
+    seen = []
+    for candidate in (interpreter.python(), SYSTEM_PYTHON, "python3", "python"):
+        found = shutil.which(candidate)
+        if found and not any(os.path.samefile(found, other) for other in seen):
+            seen.append(os.path.abspath(found))
+    return seen
+
+
+def _lacks(python):
+    """What a Python cannot import, in words; empty if it has all."""
     try:
         # not in the working folder, which Python before 3.11 would search
-        return child.run([python, "-c", "import gmsh, numpy, scipy"], "Python", folder=os.sep,
-                         environment=child.python_environment(python), timeout=ASKING).status == 0
+        ended = child.run([python, "-c", _ASK], "Python", folder=os.sep, environment=child.python_environment(python), timeout=ASKING)
     except ToolError:
-        return False
+        return "does not start"
+    if ended.status == 0:
+        return ""
+    missing = (ended.output.splitlines() or [""])[0].split()
+    if missing and set(missing) <= set(NEEDED):
+        return f"has no {' and no '.join(missing)}"
+    return f"fails to import them ({ended.last_words(1)})"
 
 
 def run_job(worker, write_input, job, timeout, progress=None):

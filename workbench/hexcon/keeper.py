@@ -8,6 +8,7 @@ no Python to run it with, this process goes on without.
 This file is both sides: imported, the one that tells; run as a program, the keeper.
 """
 import atexit
+import contextlib
 import os
 import shutil
 import signal
@@ -51,10 +52,9 @@ class _Keeper:
             self._start()
 
     def _start(self):
-        from .interpreter import python
-        own = os.path.basename(sys.executable or "").lower().startswith("python")
+        from .interpreter import is_python, python
         try:
-            self._process = subprocess.Popen([sys.executable if own else python(), "-I", "-S", os.path.abspath(__file__)],
+            self._process = subprocess.Popen([sys.executable if is_python(sys.executable) else python(), "-I", "-S", os.path.abspath(__file__)],
                                              stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
                                              stderr=subprocess.DEVNULL, cwd=os.sep, bufsize=0, start_new_session=True)
             for record in self._held:
@@ -127,8 +127,12 @@ def end_group(number, reap=lambda: None):
     """End a process group: by SIGTERM, and what is there after GRACE seconds by SIGKILL.
 
     reap: waits for its leader without blocking, where that is this process's child: until then it counts as there.
-    Xvfb needs the time, to take away its lock and socket.
+    Xvfb needs the time, to take away its lock and socket. Windows has no groups: there its leader alone is ended.
     """
+    if not hasattr(os, "killpg"):
+        with contextlib.suppress(OSError):      # gone
+            os.kill(number, signal.SIGTERM)
+        return
     limit = time.monotonic() + GRACE
     try:
         os.killpg(number, signal.SIGTERM)

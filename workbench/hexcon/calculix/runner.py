@@ -3,7 +3,7 @@
 import os
 import shutil
 
-from hexcon import child
+from hexcon import child, interpreter
 from hexcon.errors import FaultCode, ToolError
 from hexcon_native import ErrorCode, HexconError
 
@@ -14,7 +14,7 @@ _NAMES = ("ccx", "ccx_static", "ccx_dynamic")
 
 
 def find_ccx(preferred=None):
-    """Path of ccx: preferred, else $HEXCON_CCX, else on PATH. ToolError(TOOL_MISSING)."""
+    """Path of ccx: preferred, else $HEXCON_CCX, else on PATH, else FreeCAD's own. ToolError(TOOL_MISSING)."""
     for candidate in (preferred, os.environ.get("HEXCON_CCX")):
         if candidate:
             found = shutil.which(candidate)
@@ -26,9 +26,12 @@ def find_ccx(preferred=None):
         found = shutil.which(name)
         if found:
             return os.path.abspath(found)
-    raise ToolError("CalculiX (ccx) is not on PATH. Install it (Debian, Ubuntu: apt install "
-                    "calculix-ccx; others: https://www.calculix.de) or set HEXCON_CCX to "
-                    "the program", FaultCode.TOOL_MISSING)
+    found = interpreter.beside(*_NAMES)
+    if found and interpreter.is_bundled(found):
+        return found
+    raise ToolError("CalculiX (ccx) is not on PATH, nor did it come with this FreeCAD. Install it (Debian, Ubuntu: apt "
+                    "install calculix-ccx; others: https://www.calculix.de) or set HEXCON_CCX to the program",
+                    FaultCode.TOOL_MISSING)
 
 
 def run_ccx(deck_path, *, timeout=3600, threads=None, ccx=None, progress=None, nodes=None):
@@ -45,7 +48,7 @@ def run_ccx(deck_path, *, timeout=3600, threads=None, ccx=None, progress=None, n
     folder, base = os.path.split(os.path.abspath(deck_path))
     job = os.path.splitext(base)[0]
     count = str(threads or os.cpu_count() or 1)
-    environment = dict(os.environ, OMP_NUM_THREADS=count, CCX_NPROC_RESULTS=count)
+    environment = child.program_environment(program, OMP_NUM_THREADS=count, CCX_NPROC_RESULTS=count)
     for ending in (".frd", ".dat"):     # an old result must not pass for this one's
         if os.path.exists(os.path.join(folder, job + ending)):
             os.remove(os.path.join(folder, job + ending))

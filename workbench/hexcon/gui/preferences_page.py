@@ -5,12 +5,12 @@ from html import escape
 import FreeCAD
 from PySide import QtGui
 
-from hexcon import preferences
+from hexcon import packages, preferences
 from hexcon.judging import words
 from hexcon.quads import METHOD_TABLE as SURFACE_METHOD_TABLE
-from hexcon_native import METHOD_CHOICES, METHOD_TABLE
+from hexcon_native import METHOD_CHOICES, METHOD_TABLE, HexconError
 
-from . import filling
+from . import filling, waiting
 from .setup_check import check_setup
 
 translate = FreeCAD.Qt.translate
@@ -38,11 +38,27 @@ def build(form):
     button = QtGui.QPushButton(translate("HexCon", "Check what is there"))
     button.setObjectName("check_setup")
 
+    getter = QtGui.QPushButton(translate("HexCon", "Get gmsh for FreeCAD's Python"))
+    getter.setObjectName("get_gmsh")
+    getter.setVisible(False)
+
     def check():
         _save(fields)
-        found.setText(findings_in_words())
+        findings = check_setup()
+        found.setText(findings_in_words(findings))
+        getter.setVisible(any(finding.name == "gmsh" and not finding.present for finding in findings))
+
+    def get():
+        try:
+            waiting.run(packages.install, getter.text())
+        except HexconError as fault:
+            found.setText(escape(str(fault)))
+            return
+        check()
     button.clicked.connect(check)
+    getter.clicked.connect(get)
     layout.addWidget(button)
+    layout.addWidget(getter)
     layout.addWidget(found)
     layout.addStretch()
     return lambda: _load(fields), lambda: _save(fields)
@@ -108,10 +124,10 @@ def _set_ccx(path):
         group.SetString("ccxBinaryPath", path)
 
 
-def findings_in_words():
+def findings_in_words(findings):
     """What check_setup found, as rich text."""
     lines = []
-    for finding in check_setup():
+    for finding in findings:
         mark = "<b style='color:#2e7d32'>\u2713</b>" if finding.present else "<b style='color:#b00020'>\u2717</b>"
         lines.append(f"{mark} <b>{escape(finding.name)}</b>: {escape(finding.words)}")
     return "<br>".join(lines)

@@ -29,8 +29,9 @@ def how_to_build(fault):
              translate("HexCon", "Run the command"), "    make build",
              translate("HexCon", "in the folder"), f"    {ROOT}",
              translate("HexCon", "and try again.")]
-    if glob.glob(os.path.join(glob.escape(ROOT), "hexcon_native", "_core*")):
-        # it is there and does not load: only Python knows why
+    native = os.path.join(glob.escape(ROOT), "hexcon_native")
+    if glob.glob(os.path.join(native, "_core*")) or glob.glob(os.path.join(native, "built", "*")):
+        # one is there and does not load, or is of another system
         lines += ["", translate("HexCon", "Python says: {words}").format(
             words=fault.__cause__ or fault)]
     return "\n".join(lines)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Surface meshes of the whole solid by gmsh that need luck: blossom, subdivided, transfinite."""
+import collections
+
 from .colouring import shells_are_even, two_colourable
 from .corner_room import corner_room, room_words
 from .detail_sizes import detail_sizes
@@ -14,6 +16,7 @@ MORE_FACTORS = (0.985, 1.015, 0.955, 1.045, 0.925, 1.075, 0.895, 1.105)     # wh
 SCALES = (2.0, 1.4, 1.0)    # of local sizes, tried after all of these
 SMALLER = (0.82, 0.75, 0.7, 0.65, 0.6, 0.55, 0.5)       # of the size, where nothing else has come to quads
 LEAST_ROOM = 0.05           # sine of the worst corner
+MOST_DEAD = 2       # gmsh's crashes and calls without end on tries that differ in size alone: then other tries have their turn
 
 
 def whole_surface(solid, size, method, link, sizes=None):
@@ -24,16 +27,21 @@ def whole_surface(solid, size, method, link, sizes=None):
     best of those that are quads in even number. link: a Link; sizes: the SizeField wanted, None: of one size.
     Raises WorkerFault NOT_ALL_QUAD, ODD_SURFACE, NOT_TRANSFINITE, TOOL_FAILED.
     """
-    best, last = None, None
+    best, last, dead = None, None, collections.Counter()
     tries = _tries(method)
     for done, one in enumerate(tries):
         link.progress("mesh", done / len(tries))
-        if one.only_for_colours and not (best and not best[0][0]):
+        if one.only_for_colours and not (best and not best[0][0]) or dead[one.kind()] >= MOST_DEAD:
+            continue
+        if best and best[0] >= (True, 0.0) and one.factor < FACTORS[-2]:
+            break       # such a small size only for want of anything else
+        if not link.risk(f"{method} by {one}"):
+            dead[one.kind()] += 1
+            last = WorkerFault("TOOL_FAILED",
+                               f"gmsh crashed, or did not end, on {method} at every size tried from {size:g} on")
             continue
         try:
-            if best and best[0] >= (True, 0.0) and one.factor < FACTORS[-2]:
-                break       # such a small size only for want of anything else
-            mesh = _tried(solid, size, method, one, link, sizes)
+            mesh = _tried(solid, size, method, one, sizes)
         except WorkerFault as fault:
             if fault.code == "NOT_TRANSFINITE" and fault.elements:
                 raise
@@ -60,6 +68,10 @@ class _Try:
         self.factor, self.algorithm, self.even, self.scale = factor, algorithm, even, scale
         self.only_for_colours = only_for_colours
 
+    def kind(self):
+        """Alike for tries that differ in size alone, and not much."""
+        return self.algorithm, self.scale, self.factor in SMALLER
+
     def __str__(self):
         local = "" if self.scale is None else f", {self.scale:g} times the sizes of curves and gaps"
         return f"factor {self.factor:g}, algorithm {self.algorithm}{local}"
@@ -75,10 +87,8 @@ def _tries(method):
     return tries + [_Try(factor, algorithm, True) for factor in SMALLER for algorithm in algorithms]
 
 
-def _tried(solid, size, method, one, link, sizes):
+def _tried(solid, size, method, one, sizes):
     """The mesh of one try; WorkerFault where it is not all quads, or a shell of it odd."""
-    if not link.risk(f"{method} by {one}"):
-        raise WorkerFault("TOOL_FAILED", f"gmsh crashed, or did not end, on {method} at every size tried from {size:g} on")
     wanted = size * one.factor
     coarse = 2.0 * wanted if method == "subdivided" else wanted
     local = sizes.scaled(coarse / sizes.size) if sizes is not None and not sizes.even else None
