@@ -392,7 +392,8 @@ class Certificate:
     conforming       a 3-manifold: faces in at most two hexes, links are spheres or discs
     proper           two hexes meet in nothing, one vertex, one edge or one face
     boundary_exact   the faces in one hex only are the given quads, outward
-    embedded         True: the boundary, each quad the bilinear patch on its corners, crosses and touches
+    embedded         True: the boundary, each quad the bilinear patch on its corners (of hexes with
+                     curved edges the patch of its 8 nodes), crosses and touches
                      itself nowhere, and no body lies in another: with the rest above, no two hexes
                      overlap. False: `crossings` do. None: not told, `embedding_reason` says why
     crossings        (K, 2) int32, pairs of given quads, K <= 1000
@@ -666,8 +667,8 @@ def check_options(method="auto", *, order=1, layers=0, threads=0, pairing="all",
 def quality(points, hexes):
     """Scaled Jacobian of every hex. points (P, 3) float; hexes (H, 8) or (H, 20) int, VTK order.
 
-    Of (H, 8) the least at the corners; of (H, 20) the least at 5 places in each direction of the element as it is
-    curved, positive only of hexes that are proved positive everywhere.
+    Of (H, 8) the least at the corners; of (H, 20) a proved bound from below on the whole element as it is curved, at most
+    0.005 under its least value; positive only of hexes that are proved positive everywhere.
     Raises WRONG_SHAPE, WRONG_TYPE, EMPTY, TOO_LARGE, INDEX_OUT_OF_RANGE, NOT_FINITE. Linear.
     """
     hexes = _hexes_of_any_order(hexes)

@@ -358,10 +358,15 @@ hexcon_status hexcon_surface_pairing_of_crossings(hexcon_context *context, size_
 hexcon_status hexcon_quality(hexcon_context *context, const double *points, size_t point_count,
                              const int32_t *hexes, size_t hex_count, double *scaled_jacobian);
 
+/** How far hexcon_quality_second_order may be below the least value. */
+#define HEXCON_CURVED_QUALITY_TOLERANCE 0.005
+
 /**
- * The scaled Jacobian of hexes of order 2 as they are curved: the least of
- * det(X_r, X_s, X_t) / (|X_r| |X_s| |X_t|) at 5 places in each direction, corners included. It is
- * positive only of hexes that are proved positive everywhere, as by hexcon_certify_second_order.
+ * The scaled Jacobian of hexes of order 2 as they are curved: a proved bound from below of
+ * det(X_r, X_s, X_t) / (|X_r| |X_s| |X_t|) on the whole hex, within the tolerance above of its
+ * least value (but for hexes that all but fold, where only the bound is sure). It is positive only
+ * of hexes that are proved positive everywhere, as by hexcon_certify_second_order; of others it is
+ * the least at 27 places, and at most 0.
  * @param hexes            [hex_count][20] VTK_QUADRATIC_HEXAHEDRON order
  * @param scaled_jacobian  [hex_count], receives values in [-1, 1]
  * Errors: as hexcon_quality, OUT_OF_MEMORY, CANCELLED. Linear: some ten microseconds a hex.
@@ -416,17 +421,18 @@ hexcon_status hexcon_certify(hexcon_context *context, const double *points, size
 
 /**
  * Prove a mesh of order 2, of hexes with 20 nodes whose edges may be curved: as hexcon_certify, but
- * the Jacobians are those of the serendipity elements as they are. Their determinants have degree 5
+ * the Jacobians are those of the serendipity map, whose determinant has degree 5
  * in each direction; 216 Bernstein coefficients with subdivision bound them, as above. Hexes that
  * share an edge but not its middle node meet improperly, and so do those with a middle node that
- * another edge has, or that is a corner. `embedding` is that of the bilinear patches on the quads'
- * corners: so what is proved besides is that no two hexes overlap, but between those patches and
- * the curved faces, within the sag of the boundary's curved edges.
+ * another edge has, or that is a corner. `embedding` is that of the curved quads, each the patch of
+ * its 8 nodes; of several shells the bilinear patches on the corners must be embedded as well, and
+ * shells not meet on the way from these to the curved ones.
  * @param hexes  [hex_count][20] VTK_QUADRATIC_HEXAHEDRON order
  * @param quads  [quad_count][4] the corners of the surface, outward
  * Errors: as hexcon_certify. Cost: some ten microseconds a hex, more of those that are hardly
- * positive.
- * Source: Johnen, Remacle, Geuzaine, Geometrical validity of curvilinear finite elements (2013).
+ * positive, and some a boundary quad.
+ * Source: Johnen, Remacle, Geuzaine, Geometrical validity of curvilinear finite elements (2013);
+ * the proof for curved quads is ours.
  */
 hexcon_status hexcon_certify_second_order(hexcon_context *context, const double *points,
                                           size_t point_count, const int32_t *hexes,

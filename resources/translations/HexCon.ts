@@ -441,11 +441,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{count} corners inside moved, so that no hex folds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{count} edges of the boundary found no place on the solid: they are straight</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{count} hexes would fold, and keep part of their curvature: {hexes}</source>
+        <source>{count} hexes would fold or cross, and keep part of their curvature: {hexes}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -694,10 +698,6 @@
     </message>
     <message>
         <source>nothing overlaps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>nothing overlaps, but perhaps within the sag of curved boundary edges</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -251,7 +251,13 @@ static hexcon_status call_certify_second_order(hexcon_context *context, material
     status = hexcon_quality_second_order(context, raised.points, raised.point_count, raised.hexes,
                                          m->swept.hex_count, quality);
   free(quality);
+  if (!status)
+    status =
+        hexcon_certify_second_order(context, raised.points, raised.point_count, raised.hexes,
+                                    m->swept.hex_count, m->swept.quads, m->swept.quad_count, &c);
   if (!status) {
+    assert_true(c.certified);
+    hexcon_certificate_free(context, &c);
     raised.hexes[8] = raised.hexes[9]; /* some are improper, some are not positive */
     status =
         hexcon_certify_second_order(context, raised.points, raised.point_count, raised.hexes,

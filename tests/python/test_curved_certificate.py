@@ -106,3 +106,43 @@ def test_table_of_node_orders():
         assert [int(n) for n in re.findall(r"\d+", row.split("|", 2)[2])] == HEX20[name]
         assert sorted(HEX20[name]) == list(range(20))
     assert HEX20["gmsh, files of .msh"] == gmsh_judge.TO_GMSH
+
+
+def hexes_on_grid(xs, ys, zs, cells):
+    """(points, hexes (H,20)) of boxes of a grid by their indices, straight."""
+    shape = len(xs), len(ys), len(zs)
+    points = np.stack(np.meshgrid(xs, ys, zs, indexing="ij"), axis=-1).reshape(-1, 3)
+    corners = np.array([np.ravel_multi_index((np.array(cell) + CORNERS.astype(int)).T, shape) for cell in cells])
+    used, place = np.unique(corners, return_inverse=True)
+    return hn.raise_order(points[used], place.reshape(-1, 8))
+
+
+def boundary_of(hexes):
+    sides = hexes[:, SIDES].reshape(-1, 4)
+    _, first, count = np.unique(np.sort(sides, axis=1), axis=0, return_index=True, return_counts=True)
+    return sides[first[count == 1]]
+
+
+GAP = 0.125
+
+
+def bulged(by):
+    """A U whose two ends bulge towards each other across GAP: each by twice `by` in the middle of its face."""
+    points, hexes = hexes_on_grid([0, 1, 1 + GAP, 2 + GAP], [0, 1, 2], [0, 1],
+                                  [(0, 0, 0), (1, 0, 0), (2, 0, 0), (0, 1, 0), (2, 1, 0)])
+    for x, sign in ((1, 1), (1 + GAP, -1)):
+        middles = [(1.5, 0), (1.5, 1), (1, 0.5), (2, 0.5)]
+        rim = (points[:, 0] == x) & (points[:, None, 1:] == middles).all(axis=2).any(axis=1)
+        assert rim.sum() == 4
+        points[rim, 0] += sign * by
+    return points, hexes
+
+
+@pytest.mark.parametrize("part, embedded", [(0.9, True), (0.999, True), (1.0, None), (1.001, False), (1.5, False)])
+def test_curved_faces_far_apart_in_the_mesh_must_not_meet(part, embedded):
+    """Straight ones do not in any case, and every Jacobian is positive."""
+    points, hexes = bulged(part * GAP / 4)
+    quads = boundary_of(hexes)
+    found = hn.certify(points, hexes, quads)
+    assert not len(found.nonpositive) and hn.certify(points[:hexes[:, :8].max() + 1], hexes[:, :8], quads).certified
+    assert found.embedded is embedded and found.certified is (embedded is True)

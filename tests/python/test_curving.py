@@ -109,6 +109,15 @@ def test_surfaces_without_closed_forms(solids):
     assert abs(told["volume"] / told["cad_volume"] - 1) < 2e-3 and told["chord"] < 0.05
 
 
+SIDES = np.array([(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)])
+
+
+def boundary_of(hexes):
+    sides = hexes[:, SIDES].reshape(-1, 4)
+    _, first, count = np.unique(np.sort(sides, axis=1), axis=0, return_index=True, return_counts=True)
+    return sides[first[count == 1]]
+
+
 def slab(layers, height):
     """(points, hexes of order 2 with straight edges, middles of the bottom's two edges along x, those of bottom and
     top): hexes on each other, with a square of side 2."""
@@ -127,7 +136,7 @@ def bent_slab(layers, height, sag):
     points, hexes, bottom, held = slab(layers, height)
     bend = np.zeros_like(points)
     bend[bottom, 2] = sag
-    found = unfolded(points, hexes, bend, held, lambda *told: None)
+    found = unfolded(points, hexes, boundary_of(hexes), bend, held, lambda *told: None)
     quality = hn.quality(found.points, hexes).scaled_jacobian
     straight = hn.quality(points, hexes).scaled_jacobian
     assert (quality > 0).all() and (quality >= 0.0999 * straight).all()
@@ -157,3 +166,47 @@ def test_what_folds_all_the_same_keeps_part_of_its_curvature(worker):
     found, bottom = bent_slab(1, 0.5, 1.0)
     assert 0.3 < found.factor[0] < 0.5 and found.inner == 0
     assert found.points[bottom, 2] == pytest.approx(found.factor[0])
+
+
+def block(xs, ys, zs):
+    """(points, hexes of order 2) of a grid of boxes."""
+    count = len(xs), len(ys), len(zs)
+    points = np.stack(np.meshgrid(xs, ys, zs, indexing="ij"), -1).reshape(-1, 3)
+    first = np.stack(np.meshgrid(*(np.arange(n - 1) for n in count), indexing="ij"), -1).reshape(-1, 1, 3)
+    corners = first + [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+    return hn.raise_order(points, np.ravel_multi_index(corners.reshape(-1, 3).T, count).reshape(-1, 8))
+
+
+def test_inner_corners_move_out_of_the_way(worker):
+    """A bulge of the bottom through a layer that is thinner: the layer's inner corners rise over it."""
+    from curving_worker.corner_moves import with_moved_corners
+    points, hexes = block(np.arange(5.0), np.arange(5.0), [0.0, 0.5, 2.0])
+    quads, bend = boundary_of(hexes), np.zeros_like(points)
+    bottom = (points[:, 2] == 0) & (points[:, :2] > 0).all(axis=1) & (points[:, :2] < 4).all(axis=1)
+    bend[bottom & (points[:, :2] % 1 == 0.5).any(axis=1), 2] = 0.3
+    least = 0.1 * hn.quality(points, hexes).scaled_jacobian
+    folded = np.flatnonzero(hn.quality(points + bend, hexes).scaled_jacobian < least)
+    moved, count = with_moved_corners(points, hexes, quads, bend, folded, least)
+    assert len(folded) > 3 and count > 3
+    assert (hn.quality(moved + bend, hexes).scaled_jacobian > least).all()
+    assert (moved[np.unique(quads)] == points[np.unique(quads)]).all()
+    assert hn.certify(moved + bend, hexes, quads).certified
+
+
+def test_faces_that_cross_keep_less_of_their_curvature(worker):
+    """The ends of a U that bulge into each other: no hex folds, but the faces must part."""
+    from curving_worker.unfolding import unfolded
+    points, hexes = block([0.0, 1.0, 1.125, 2.125], [0.0, 1.0, 2.0], [0.0, 1.0])
+    centre = points[hexes[:, :8]].mean(axis=1)
+    hexes = hexes[(np.abs(centre[:, 0] - 1.0625) > 0.1) | (centre[:, 1] < 1)]
+    used, place = np.unique(hexes, return_inverse=True)
+    points, hexes = points[used], place.reshape(-1, 20)
+    bend, middles = np.zeros_like(points), [(1.5, 0), (1.5, 1), (2, 0.5)]
+    rim = (points[:, None, 1:] == middles).all(axis=2).any(axis=1)
+    bend[rim & (points[:, 0] == 1), 0], bend[rim & (points[:, 0] == 1.125), 0] = 0.05, -0.05
+    quads, nodes = boundary_of(hexes), np.unique(hexes[:, 8:])
+    assert (hn.quality(points + bend, hexes).scaled_jacobian > 0.1).all()
+    assert hn.certify(points + bend, hexes, quads).embedded is False
+    found = unfolded(points, hexes, quads, bend, nodes, lambda *told: None)
+    assert hn.certify(found.points, hexes, quads).certified
+    assert (found.factor < 1).sum() == 2 and found.factor.min() == 0.5

@@ -58,8 +58,8 @@ RESULTS = {
         "kept": Array("i", ("kept",), 0, "points"), "notes": Array("s", ("notes",))},
     "curving_worker": {
         "points": Array("f", ("points", 3)), "on": Array("i", ("edges",), 0, 3), "factor": Array("f", ("hexes",), 0),
-        "inner": Array("i", (), 0), "volume": Array("f"), "area": Array("f"), "cad_volume": Array("f"),
-        "cad_area": Array("f"), "chord": Array("f", (), 0)},
+        "inner": Array("i", (), 0), "moved": Array("i", (), 0), "volume": Array("f"), "area": Array("f"),
+        "cad_volume": Array("f"), "cad_area": Array("f"), "chord": Array("f", (), 0)},
     "tetrahedra_worker": {**_tetrahedra_of("Delaunay"), **_tetrahedra_of("HXT")}}
 
 

@@ -11,6 +11,8 @@
 #include "base/vector.h"
 #include "box_tree.h"
 #include "coincident_points.h"
+#include "curved_pair.h"
+#include "curved_patch.h"
 #include "surface/checks.h"
 #include "touching.h"
 
@@ -18,15 +20,17 @@ enum {
   MAX_PAIRS = HEXCON_MAX_EMBEDDING_PAIRS,
   MAX_OPEN_PAIRS = 64,
   PATIENCE = 1 << 12, /* pairs of cells for a pair of quads: some milliseconds */
-  HASTE = 1 << 7      /* the same once the verdict is known */
+  CURVED_PATIENCE = 1 << 14,
+  HASTE = 1 << 7 /* the same once the verdict is known */
 };
 
 /** The points in use, scaled along each axis by a power of two: that keeps what crosses. */
 typedef struct scene {
-  size_t point_count, quad_count;
+  size_t point_count, quad_count, node_count; /* nodes of a quad: 4, or 8 if it is curved */
   double *points;
-  int32_t *quads; /* [quad_count][4] by ids of these points */
-  box *boxes;     /* of the quads */
+  int32_t *quads;        /* [quad_count][node_count] by ids of these points, corners first */
+  const int32_t *shells; /* [quad_count] of curved quads, if there are several; else NULL */
+  box *boxes;            /* of the quads */
   int32_t (*meeting_pairs)[2], (*open_pairs)[2];
   size_t meeting_count, open_count, twin_count;
 } scene;
@@ -45,7 +49,7 @@ static void scene_free(hexcon_context *context, scene *s) {
 static hexcon_status number_points(hexcon_context *context, size_t point_count,
                                    const int32_t *quads, int32_t *number, scene *s) {
   memset(number, -1, point_count * sizeof *number);
-  for (size_t i = 0; i < 4 * s->quad_count; i++) {
+  for (size_t i = 0; i < s->node_count * s->quad_count; i++) {
     if (number[quads[i]] < 0)
       number[quads[i]] = (int32_t)s->point_count++;
     s->quads[i] = number[quads[i]];
@@ -74,25 +78,42 @@ static bool scale_points(scene *s) {
   return exact;
 }
 
-static void set_boxes(scene *s) {
-  for (size_t q = 0; q < s->quad_count; q++)
-    for (int k = 0; k < 3; k++) {
-      double low = INFINITY, high = -INFINITY;
-      for (size_t c = 0; c < 4; c++) {
-        double x = s->points[3 * (size_t)s->quads[4 * q + c] + (size_t)k];
-        low = fmin(low, x);
-        high = fmax(high, x);
-      }
-      s->boxes[q].low[k] = low;
-      s->boxes[q].high[k] = high;
-    }
+static const int32_t *quad_of(const scene *s, size_t q) {
+  return s->quads + s->node_count * q;
 }
 
+/** Of the corners, or of a curved quad's control points. */
+static void set_box(const scene *s, size_t q, box *out) {
+  static const double origin[3] = {0, 0, 0};
+  const double *nodes[8];
+  curved_patch curved;
+  for (size_t n = 0; n < s->node_count; n++)
+    nodes[n] = s->points + 3 * (size_t)quad_of(s, q)[n];
+  if (s->node_count == 8)
+    curved_patch_set(&curved, nodes, origin);
+  for (int k = 0; k < 3; k++) {
+    out->low[k] = INFINITY;
+    out->high[k] = -INFINITY;
+    for (int c = 0; c < (s->node_count == 8 ? CURVED_CONTROLS : 4); c++) {
+      ball x = s->node_count == 8 ? curved.controls[c][k] : ball_exact(nodes[c][k]);
+      out->low[k] = fmin(out->low[k], ball_low(x));
+      out->high[k] = fmax(out->high[k], ball_high(x));
+    }
+  }
+}
+
+static void set_boxes(scene *s) {
+  for (size_t q = 0; q < s->quad_count; q++)
+    set_box(s, q, &s->boxes[q]);
+}
+
+/** @param quads  [quad_count][node_count] */
 static hexcon_status scene_new(hexcon_context *context, const double *points, size_t point_count,
-                               const int32_t *quads, size_t quad_count, scene *s) {
-  *s = (scene){.quad_count = quad_count};
+                               const int32_t *quads, size_t node_count, size_t quad_count,
+                               scene *s) {
+  *s = (scene){.quad_count = quad_count, .node_count = node_count};
   int32_t *number = context_allocate(context, point_count, sizeof *number);
-  s->quads = context_allocate(context, 4 * quad_count, sizeof *s->quads);
+  s->quads = context_allocate(context, node_count * quad_count, sizeof *s->quads);
   s->boxes = context_allocate(context, quad_count, sizeof *s->boxes);
   s->meeting_pairs = context_allocate(context, MAX_PAIRS, sizeof *s->meeting_pairs);
   s->open_pairs = context_allocate(context, MAX_PAIRS, sizeof *s->open_pairs);
@@ -123,8 +144,8 @@ static hexcon_status find_twins(hexcon_context *context, scene *s) {
   hexcon_status status = first && quad_at ? HEXCON_OK : HEXCON_OUT_OF_MEMORY;
   if (!status)
     status = coincident_points_find(context, s->points, s->point_count, first, &s->twin_count);
-  for (size_t i = 0; !status && s->twin_count > 0 && i < 4 * s->quad_count; i++)
-    quad_at[s->quads[i]] = (int32_t)(i / 4);
+  for (size_t i = 0; !status && s->twin_count > 0 && i < s->node_count * s->quad_count; i++)
+    quad_at[s->quads[i]] = (int32_t)(i / s->node_count);
   for (size_t v = 0; !status && s->twin_count > 0 && v < s->point_count; v++)
     if (first[v] != (int32_t)v)
       add_pair(s->meeting_pairs, &s->meeting_count, quad_at[first[v]], quad_at[v]);
@@ -156,20 +177,32 @@ static bool turns_one_way(const double *points, const int32_t *quad) {
   return true;
 }
 
-static void find_folded(scene *s) {
-  for (size_t q = 0; q < s->quad_count; q++) {
-    flat_quad quad;
-    if (turns_one_way(s->points, s->quads + 4 * q))
-      continue;
-    flat_quad_set(&quad, s->points, s->quads + 4 * q);
-    if (quad.form == QUAD_FOLDED)
-      add_pair(s->meeting_pairs, &s->meeting_count, (int32_t)q, (int32_t)q);
-    if (quad.form == QUAD_UNKNOWN)
-      add_pair(s->open_pairs, &s->open_count, (int32_t)q, (int32_t)q);
-  }
+/** Whether a quad has some place twice. */
+static meeting judge_alone(const scene *s, const int32_t *quad) {
+  if (s->node_count == 8)
+    return curved_patch_meets_itself(s->points, quad, CURVED_PATIENCE);
+  if (turns_one_way(s->points, quad))
+    return MEETING_NONE;
+  flat_quad flat;
+  flat_quad_set(&flat, s->points, quad);
+  return flat.form == QUAD_FOLDED    ? MEETING_PROVED
+         : flat.form == QUAD_UNKNOWN ? MEETING_OPEN
+                                     : MEETING_NONE;
 }
 
-static meeting judge_pair(const scene *s, const int32_t *a, const int32_t *b) {
+static void note(scene *s, meeting found, int32_t a, int32_t b) {
+  if (found == MEETING_PROVED)
+    add_pair(s->meeting_pairs, &s->meeting_count, a, b);
+  if (found == MEETING_OPEN)
+    add_pair(s->open_pairs, &s->open_count, a, b);
+}
+
+static void find_folded(scene *s) {
+  for (size_t q = 0; q < s->quad_count && s->open_count < MAX_OPEN_PAIRS; q++)
+    note(s, judge_alone(s, quad_of(s, q)), (int32_t)q, (int32_t)q);
+}
+
+static meeting judge_straight_pair(const scene *s, const int32_t *a, const int32_t *b) {
   meeting found = patches_meet(s->points, a, b, 1);
   if (found != MEETING_OPEN)
     return found;
@@ -190,11 +223,13 @@ static meeting judge_pair(const scene *s, const int32_t *a, const int32_t *b) {
 static hexcon_status visit_pair(void *user, hexcon_context *context, int32_t a, int32_t b) {
   scene *s = user;
   (void)context;
-  meeting found = judge_pair(s, s->quads + 4 * (size_t)a, s->quads + 4 * (size_t)b);
-  if (found == MEETING_PROVED)
-    add_pair(s->meeting_pairs, &s->meeting_count, a, b);
-  if (found == MEETING_OPEN)
-    add_pair(s->open_pairs, &s->open_count, a, b);
+  const int32_t *one = quad_of(s, (size_t)a), *other = quad_of(s, (size_t)b);
+  bool joint = s->shells && s->shells[a] != s->shells[b];
+  int patience = s->meeting_count ? HASTE : CURVED_PATIENCE;
+  note(s,
+       s->node_count == 8 ? curved_patches_meet(s->points, one, other, joint, patience)
+                          : judge_straight_pair(s, one, other),
+       a, b);
   bool enough = s->meeting_count == MAX_PAIRS || s->open_count >= MAX_OPEN_PAIRS;
   return enough ? HEXCON_STATUS_COUNT : HEXCON_OK;
 }
@@ -264,17 +299,33 @@ static hexcon_status judge_scene(hexcon_context *context, scene *s, hexcon_embed
   return status ? status : conclude(context, s, out);
 }
 
-hexcon_status embedding_prove(hexcon_context *context, const double *points, size_t point_count,
-                              const int32_t *quads, size_t quad_count, hexcon_embedding *out) {
+/** @param status  of scene_new */
+static hexcon_status finish(hexcon_context *context, hexcon_status status, scene *s,
+                            hexcon_embedding *out) {
   memset(out, 0, sizeof *out);
-  scene s;
-  hexcon_status status = scene_new(context, points, point_count, quads, quad_count, &s);
   if (!status)
-    status = judge_scene(context, &s, out);
-  scene_free(context, &s);
+    status = judge_scene(context, s, out);
+  scene_free(context, s);
   if (status)
     hexcon_embedding_free(context, out);
   return status;
+}
+
+hexcon_status embedding_prove(hexcon_context *context, const double *points, size_t point_count,
+                              const int32_t *quads, size_t quad_count, hexcon_embedding *out) {
+  scene s;
+  hexcon_status status = scene_new(context, points, point_count, quads, 4, quad_count, &s);
+  return finish(context, status, &s, out);
+}
+
+hexcon_status embedding_prove_curved(hexcon_context *context, const double *points,
+                                     size_t point_count, const int32_t *quads,
+                                     const int32_t *shells, size_t quad_count,
+                                     hexcon_embedding *out) {
+  scene s;
+  hexcon_status status = scene_new(context, points, point_count, quads, 8, quad_count, &s);
+  s.shells = shells;
+  return finish(context, status, &s, out);
 }
 
 hexcon_status hexcon_surface_embedding(hexcon_context *context, const double *points,

@@ -2,6 +2,7 @@
 #include "patch_neighbours.h"
 
 #include "base/vector.h"
+#include "hulls.h"
 #include "separation.h"
 
 /** Of length 1, turned round if sign is -1. */
@@ -16,17 +17,12 @@ static void direction_of(const ball arm[3], double sign, double out[3]) {
 
 bool corner_parts(const placed_cell *a, int corner_a, const placed_cell *b, int corner_b) {
   ball arms[6][3];
-  double vectors[6][3], normal[3];
   cell_cone(a->patch, &a->cell, corner_a, arms);
   cell_cone(b->patch, &b->cell, corner_b, arms + 3);
-  for (int i = 0; i < 6; i++)
-    direction_of(arms[i], i < 3 ? 1 : -1, vectors[i]);
-  if (!separation_direction((const double(*)[3])vectors, 6, normal))
-    return false;
-  for (int i = 0; i < 6; i++)
-    if (ball_sign(ball_dot_exact(normal, arms[i])) != (i < 3 ? 1 : -1))
-      return false;
-  return true;
+  for (int i = 3; i < 6; i++)
+    for (int k = 0; k < 3; k++)
+      arms[i][k] = ball_negated(arms[i][k]);
+  return all_forward(arms, 6);
 }
 
 /** What is left of a vector across another. */

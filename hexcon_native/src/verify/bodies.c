@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "embedding/embedding.h"
 #include "surface/build.h"
 #include "surface/shells.h"
 
@@ -29,8 +30,10 @@ static hexcon_status tell_overlap(hexcon_context *context, const surface *s, con
   return HEXCON_OK;
 }
 
-hexcon_status bodies_check(hexcon_context *context, const double *points, size_t point_count,
-                           const int32_t *quads, size_t quad_count, hexcon_embedding *embedding) {
+/** Of an embedded boundary. */
+static hexcon_status check_nesting(hexcon_context *context, const double *points,
+                                   size_t point_count, const int32_t *quads, size_t quad_count,
+                                   hexcon_embedding *embedding) {
   surface s;
   hexcon_status status = surface_build(context, NULL, point_count, quads, quad_count, &s);
   s.points = points;
@@ -40,5 +43,14 @@ hexcon_status bodies_check(hexcon_context *context, const double *points, size_t
   if (!status && s.turned)
     status = tell_overlap(context, &s, quads, embedding);
   surface_free(context, &s);
+  return status;
+}
+
+hexcon_status bodies_prove(hexcon_context *context, const double *points, size_t point_count,
+                           const int32_t *quads, size_t quad_count, hexcon_embedding *embedding) {
+  hexcon_status status =
+      embedding_prove(context, points, point_count, quads, quad_count, embedding);
+  if (!status && embedding->embedded == HEXCON_EMBEDDED_YES)
+    status = check_nesting(context, points, point_count, quads, quad_count, embedding);
   return status;
 }

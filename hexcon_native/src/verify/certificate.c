@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "bodies.h"
+#include "curved_boundary.h"
 #include "curved_jacobian.h"
-#include "embedding/embedding.h"
 #include "hexmesh/hex_arrays.h"
 #include "jacobian_sign.h"
 #include "middle_nodes.h"
@@ -80,20 +80,20 @@ static hexcon_status check_jacobians(hexcon_context *context, const judged *mesh
 }
 
 /** Of a boundary that is not exact nothing is said: its quads may be no surface at all. */
-static hexcon_status check_embedding(hexcon_context *context, const double *points,
-                                     size_t point_count, const int32_t *quads, size_t quad_count,
+static hexcon_status check_embedding(hexcon_context *context, const judged *mesh,
+                                     const int32_t *quads, size_t quad_count,
                                      hexcon_certificate *certificate) {
   hexcon_embedding *embedding = &certificate->embedding;
-  if (!certificate->conforming || !certificate->boundary_exact) {
+  if (!certificate->conforming || !certificate->boundary_exact ||
+      (mesh->nodes && !certificate->proper)) {
     (void)snprintf(embedding->reason, sizeof embedding->reason,
                    "the quads are not the boundary of a conforming mesh");
     return HEXCON_OK;
   }
-  hexcon_status status =
-      embedding_prove(context, points, point_count, quads, quad_count, embedding);
-  if (!status && embedding->embedded == HEXCON_EMBEDDED_YES)
-    status = bodies_check(context, points, point_count, quads, quad_count, embedding);
-  return status;
+  if (mesh->nodes)
+    return curved_boundary_check(context, mesh->points, mesh->point_count, mesh->nodes,
+                                 mesh->hex_count, quads, quad_count, embedding);
+  return bodies_prove(context, mesh->points, mesh->point_count, quads, quad_count, embedding);
 }
 
 /** Middle nodes after corners: hexes at fault join those that meet another improperly. */
@@ -118,8 +118,7 @@ static hexcon_status judge(hexcon_context *context, const judged *mesh, const in
   if (!status)
     status = check_jacobians(context, mesh, certificate);
   if (!status)
-    status =
-        check_embedding(context, mesh->points, mesh->point_count, quads, quad_count, certificate);
+    status = check_embedding(context, mesh, quads, quad_count, certificate);
   certificate->certified = certificate->conforming && certificate->proper &&
                            certificate->boundary_exact && certificate->nonpositive_count == 0 &&
                            certificate->embedding.embedded == HEXCON_EMBEDDED_YES;

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/vector.h"
 #include "serendipity.h"
 
 static const int strides[3] = {36, 6, 1};
@@ -13,14 +14,8 @@ static double larger(double a, double b) {
   return b > a ? b : a;
 }
 
-/**
- * Nodes from the first corner, each coordinate scaled by a power of two of its own so that the
- * largest is in [1/2, 1): exact but for the difference, which is off by one unit u = eps / 2.
- * Coordinates go to their control places: [27][3].
- * @param scale  receives those powers
- * @return false if some difference overflows or is no number
- */
-static bool collect_nodes(double nodes[20][3], double at[27][3], double scale[3]) {
+/** The differences from the first corner are off by one unit u = eps / 2. */
+bool curved_nodes_place(double nodes[20][3], double at[27][3], double scale[3]) {
   bool finite = true;
   for (int c = 0; c < 3; c++) {
     double largest = 0;
@@ -65,10 +60,7 @@ static void make_controls(double at[27][3]) {
     square_middle(at, squares[s][0], squares[s][1], squares[s][2]);
 }
 
-/** Half the derivative along `axis`, coefficients times their binomials, component by component:
- * [c][n] with n counting degrees (1, 2, 2), (2, 1, 2) or (2, 2, 1), the third direction fastest.
- * @return the largest entry, without binomials */
-static double derive(double at[27][3], int axis, double out[3][18]) {
+double curved_derive(double at[27][3], int axis, double out[3][18]) {
   double largest = 0;
   int sizes[3] = {3, 3, 3}, n = 0;
   sizes[axis] = 2;
@@ -153,19 +145,36 @@ static double coefficient_error(const double m[3]) {
   return 1000 * 6 * 1.01 * (by_entries + 35 * DBL_EPSILON * product) + 1e-280;
 }
 
-bool curved_box_make(double nodes[20][3], curved_box *whole, double at[27][3], double scale[3]) {
+/** As an entry of curved_derive at a corner is: 2 m - (p + q) / 2 - p, of nodes below 1 and off by
+ * u. So the bound above holds with what is largest among these. */
+void curved_corner_values(double at[27][3], double values[8], double *error) {
+  double largest[3] = {0, 0, 0};
+  for (int corner = 0; corner < 8; corner++) {
+    double arms[3][3];
+    for (int axis = 0; axis < 3; axis++) {
+      const int place = box_corners[corner], high = corner >> (2 - axis) & 1;
+      const int step = high ? -box_strides[axis] : box_strides[axis];
+      for (int c = 0; c < 3; c++) {
+        double p = at[place][c], edge = 2 * at[place + step][c] - (p + at[place + 2 * step][c]) / 2;
+        arms[axis][c] = high ? p - edge : edge - p;
+        largest[axis] = larger(largest[axis], fabs(arms[axis][c]));
+      }
+    }
+    values[corner] = 1000 * vector_determinant(arms[0], arms[1], arms[2]);
+  }
+  *error = coefficient_error(largest);
+}
+
+void curved_box_make(double at[27][3], curved_box *whole) {
   double derivatives[3][3][18], cross[3][80], largest[3];
   memset(whole, 0, sizeof *whole);
-  if (!collect_nodes(nodes, at, scale))
-    return false;
   make_controls(at);
   for (int axis = 0; axis < 3; axis++)
-    largest[axis] = derive(at, axis, derivatives[axis]);
+    largest[axis] = curved_derive(at, axis, derivatives[axis]);
   cross_product(derivatives[1], derivatives[2], cross);
   dot_product(derivatives[0], cross, whole->value);
   divide_binomials(whole->value);
   whole->error = coefficient_error(largest);
-  return true;
 }
 
 double curved_box_smallest(const curved_box *box, double *largest) {

@@ -55,12 +55,38 @@ size_t curved_jacobian_room(void) {
   return filter > exact ? filter : exact;
 }
 
+/** At the hex's corners alone: POSITIVE there, NONPOSITIVE with a witness, or open. */
+static jacobian_sign prove_corners(double nodes[20][3], double at[27][3], double witness[3]) {
+  static const box_place whole = {{0, 0, 0}, 0};
+  double values[8], error;
+  curved_corner_values(at, values, &error);
+  unsigned open = 0;
+  for (int corner = 0; corner < 8; corner++) {
+    if (values[corner] < -error) {
+      box_corner_point(&whole, corner, witness);
+      return JACOBIAN_NONPOSITIVE;
+    }
+    open |= (unsigned)!(values[corner] > error) << corner;
+  }
+  if (open == 0)
+    return JACOBIAN_POSITIVE;
+  int corner = nonpositive_curved_corner(nodes, open);
+  if (corner < 0)
+    return JACOBIAN_UNDECIDED;
+  box_corner_point(&whole, corner, witness);
+  return JACOBIAN_NONPOSITIVE;
+}
+
 jacobian_sign prove_curved_jacobian_sign(double nodes[20][3], void *room, double witness[3]) {
   curved_box *stack = room;
   witness[0] = witness[1] = witness[2] = NAN;
   jacobian_sign sign = JACOBIAN_UNDECIDED;
   double at[27][3], scale[3];
-  if (curved_box_make(nodes, stack, at, scale))
+  if (curved_nodes_place(nodes, at, scale)) {
+    if (prove_corners(nodes, at, witness) == JACOBIAN_NONPOSITIVE)
+      return JACOBIAN_NONPOSITIVE;
+    curved_box_make(at, stack);
     sign = prove_by_bisection(stack, witness);
+  }
   return sign == JACOBIAN_UNDECIDED ? prove_curved_jacobian_exactly(nodes, room, witness) : sign;
 }

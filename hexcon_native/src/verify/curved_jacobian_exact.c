@@ -100,16 +100,39 @@ static void make_coefficients(exact_room *room) {
   }
 }
 
-/** A corner of the hex where the Jacobian is not positive; -1 if there is none. Its derivatives are
- * the control points' differences there. */
-static int nonpositive_hex_corner(exact_room *room) {
+/** Twice the derivative at corner p of an edge with middle m and other end q, but for its sign:
+ * 4 m - 3 p - q. */
+static void derive_at_corner(const double p[3], const double m[3], const double q[3], double sign,
+                             exact_vector *out) {
+  for (int c = 0; c < 3; c++) {
+    expansion far = expansion_difference(4 * m[c], q[c]);
+    expansion near = expansion_difference(-2 * p[c], p[c]);
+    expansion sum = expansion_sum(&far, &near);
+    out->x[c] = expansion_scaled(&sum, sign);
+  }
+}
+
+int nonpositive_curved_corner(double nodes[20][3], unsigned corners) {
+  double scaled[20][3];
+  int node_at[27];
+  memcpy(scaled, nodes, sizeof scaled);
+  if (!exact_scale(scaled, 20))
+    return -1;
+  for (int n = 0; n < 20; n++)
+    node_at[serendipity_places[n]] = n;
   for (int corner = 0; corner < 8; corner++) {
-    int i = corner >> 2, j = corner >> 1 & 1, k = corner & 1;
-    exact_vector cross = {0};
+    const int place = box_corners[corner];
+    exact_vector arms[3], cross = {0};
     expansion value = {0};
-    exact_add_cross(&room->derivatives[1][6 * 2 * i + 3 * j + 2 * k],
-                    &room->derivatives[2][6 * 2 * i + 2 * 2 * j + k], &cross);
-    exact_add_dot(&room->derivatives[0][9 * i + 3 * 2 * j + 2 * k], &cross, &value);
+    if (!(corners >> corner & 1))
+      continue;
+    for (int axis = 0; axis < 3; axis++) {
+      const int sign = corner >> (2 - axis) & 1 ? -1 : 1, step = sign * box_strides[axis];
+      derive_at_corner(scaled[node_at[place]], scaled[node_at[place + step]],
+                       scaled[node_at[place + 2 * step]], sign, &arms[axis]);
+    }
+    exact_add_cross(&arms[1], &arms[2], &cross);
+    exact_add_dot(&arms[0], &cross, &value);
     if (!value.lost && expansion_sign(&value) <= 0)
       return corner;
   }
@@ -145,12 +168,6 @@ jacobian_sign prove_curved_jacobian_exactly(double nodes[20][3], void *memory, d
   make_controls(scaled, room->controls);
   for (int axis = 0; axis < 3; axis++)
     derive(room->controls, axis, room->derivatives[axis]);
-  int corner = nonpositive_hex_corner(room);
-  if (corner >= 0) {
-    for (int axis = 0; axis < 3; axis++)
-      witness[axis] = corner >> (2 - axis) & 1;
-    return JACOBIAN_NONPOSITIVE;
-  }
   make_coefficients(room);
   room->places[0] = (box_place){0};
   exact_boxes boxes = {.values = room->values,

@@ -3,10 +3,6 @@
 
 #include "base/sorting.h"
 
-/** Ends of the edge of each middle node, VTK_QUADRATIC_HEXAHEDRON order. */
-static const unsigned char edge_ends[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
-                                               {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
-
 /** An edge of one hex, its lower end first. */
 typedef struct hex_edge {
   int32_t low, high, middle, hex;
@@ -63,7 +59,8 @@ static hexcon_status collect_edges(hexcon_context *context, const int32_t *hexes
     const int32_t *nodes = hexes + 20 * h;
     bool collapsed = false;
     for (int e = 0; e < 12; e++) {
-      int32_t a = nodes[edge_ends[e][0]], b = nodes[edge_ends[e][1]], middle = nodes[8 + e];
+      int32_t a = nodes[middle_node_ends[e][0]], b = nodes[middle_node_ends[e][1]],
+              middle = nodes[8 + e];
       edges[12 * h + (size_t)e] = (hex_edge){a < b ? a : b, a < b ? b : a, middle, (int32_t)h};
       collapsed |= is_corner[middle] != 0;
     }

@@ -5,6 +5,10 @@
 
 #include "proper.h"
 
+/** Ends of the edge of each middle node, VTK_QUADRATIC_HEXAHEDRON order. */
+static const unsigned char middle_node_ends[12][2] = {
+    {0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+
 /**
  * Hexes that meet another improperly by their middle nodes: an edge has one middle node, a middle
  * node one edge, and it is no corner. Sorts the edges of all hexes: H log H.

@@ -22,12 +22,13 @@ def curve(mesh, shape_or_file, *, timeout=120.0, progress=None):
     shape_or_file  the solid: as of quads.surface_from_solid
     timeout        seconds for gmsh;  progress: callable(stage, fraction), an exception from it cancels
     The middle of an edge that runs along an edge of the solid goes to the nearest place on that, of any other edge of
-    the boundary to the nearest place on its face. Where a hex would fold, inner edges near it bend as well; what still
-    folds gets as much of the curvature as is proved positive. Corners stay where they are.
+    the boundary to the nearest place on its face. Where a hex would fold, inner edges near it bend as well, and inner
+    corners move; what still folds gets as much of the curvature as is proved positive, and faces that would cross as
+    much as is proved apart. Corners of the boundary stay where they are.
     mesh.certificate and quality are those of the curved hexes; mesh.report["curved"] tells: edges on_edges, on_faces,
-    straight (that found no place), inner (that bend inside), reduced {hex: part of its curvature}, and of the curved
-    mesh and the CAD volume, cad_volume, area, cad_area, chord: how far its faces are off the CAD at most, by 25 places
-    of each. Raises ToolError: those of surface_from_solid but for options. Linear.
+    straight (that found no place), inner (that bend inside), moved (inner corners), reduced {hex: part of its
+    curvature}, and of the curved mesh and the CAD volume, cad_volume, area, cad_area, chord: how far its faces are off
+    the CAD at most, by 25 places of each. Raises ToolError: those of surface_from_solid but for options. Linear.
     """
     found = _placed(mesh, shape_or_file, timeout, progress)
     mesh.points[:] = found["points"]
@@ -35,7 +36,8 @@ def curve(mesh, shape_or_file, *, timeout=120.0, progress=None):
     reduced = np.flatnonzero(factor < 1.0)
     mesh.report["curved"] = {
         "on_edges": int((on == ON_EDGE).sum()), "on_faces": int((on == ON_FACE).sum()),
-        "straight": int((on == STRAIGHT).sum()), "inner": int(found["inner"]), "reduced_count": len(reduced),
+        "straight": int((on == STRAIGHT).sum()), "inner": int(found["inner"]), "moved": int(found["moved"]),
+        "reduced_count": len(reduced),
         "reduced": {int(h): float(factor[h]) for h in reduced[:MOST_LISTED]},
         **{name: float(found[name]) for name in ("volume", "cad_volume", "area", "cad_area", "chord")}}
     judge_again(mesh, progress)

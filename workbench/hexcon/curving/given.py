@@ -28,7 +28,7 @@ def curve_as_given(mesh, ends, middles, progress=None):
     nodes, bend = boundary.middle[place[there]], np.zeros_like(mesh.points)
     bend[nodes] = middles[there] - mesh.points[nodes]
     told = progress or (lambda *_: None)
-    found = unfolded(mesh.points, mesh.hexes, bend, boundary.middle, told)
+    found = unfolded(mesh.points, mesh.hexes, np.asarray(mesh.quads)[:, :4], bend, boundary.middle, told)
     mesh.points[:] = found.points
     off = np.linalg.norm(found.points[nodes] - middles[there], axis=1)
     kept = off <= _ROUNDING * np.abs(middles).max(initial=0)

@@ -27,11 +27,15 @@ def of_curving(report):
     if told["inner"]:
         said.append(translate("HexCon", "{count} edges inside bend along, so that no hex folds").format(
             count=told["inner"]))
+    if told["moved"]:
+        said.append(translate("HexCon", "{count} corners inside moved, so that no hex folds").format(
+            count=told["moved"]))
     if told["straight"]:
         said.append(translate("HexCon", "{count} edges of the boundary found no place on the solid: they are "
                               "straight").format(count=told["straight"]))
     if told["reduced_count"]:
-        said.append(translate("HexCon", "{count} hexes would fold, and keep part of their curvature: {hexes}").format(
+        said.append(translate("HexCon", "{count} hexes would fold or cross, and keep part of their curvature: "
+                              "{hexes}").format(
             count=told["reduced_count"], hexes=_parts(told["reduced"], told["reduced_count"])))
     said.append(translate("HexCon", "volume {volume:+.2g} of the solid's, area {area:+.2g}; curved faces at most "
                           "{chord:.3g} off it").format(volume=told["volume"] / told["cad_volume"] - 1,

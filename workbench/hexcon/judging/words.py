@@ -8,7 +8,7 @@ from hexcon.topological import is_topological
 from hexcon.translation import QT_TRANSLATE_NOOP, translate
 from hexcon_native import METHOD_TABLE
 
-from .curved import curved_hexes, of_curving
+from .curved import of_curving
 from .fillable import fillable
 from .lengths import lengths_of
 
@@ -71,7 +71,7 @@ def of_mesh(mesh):
             *_size(len(mesh.hexes), mesh.order, len(mesh.points))]
     rows.append((translate("HexCon", "Method"), _made(mesh)))
     rows += _warning(is_topological(mesh))
-    rows += _worth(mesh.quality, mesh.certificate, straight=not len(curved_hexes(mesh.points, mesh.hexes)))
+    rows += _worth(mesh.quality, mesh.certificate)
     rows += of_lengths(lengths_of(mesh.points, mesh.hexes))
     rows += [(translate("HexCon", "Curved edges"), sentence) for sentence in of_curving(report)]
     fit = getattr(getattr(mesh, "surface", None), "fit", None)
@@ -122,7 +122,7 @@ def of_check(report):
             (translate("HexCon", "Boundary"),
              translate("HexCon", "{quads} quads").format(quads=count(counts.quads))),
             *_warning(report.topological),
-            *_worth(report.quality, report.certificate, report.surface_known, report.straight),
+            *_worth(report.quality, report.certificate, report.surface_known),
             *of_lengths(report.lengths)]
     if not report.surface_known:
         rows.append((translate("HexCon", "Note"), translate(
@@ -198,7 +198,7 @@ def of_path(edges):
 
 def of_certificate(report):
     """The judgement of an actions.CheckReport in one sentence."""
-    return _certificate(report.certificate, report.surface_known, report.straight)
+    return _certificate(report.certificate, report.surface_known)
 
 
 def _listed(ids):
@@ -209,10 +209,10 @@ def _listed(ids):
     return listed
 
 
-def _worth(quality, certificate, surface_known=True, straight=True):
+def _worth(quality, certificate, surface_known=True):
     return [(translate("HexCon", "Scaled Jacobian"), _quality(quality)),
             (translate("HexCon", "Certificate"),
-             _certificate(certificate, surface_known, straight))]
+             _certificate(certificate, surface_known))]
 
 
 def of_lengths(lengths):
@@ -233,14 +233,13 @@ def _quality(quality):
         min=quality.min, q05=quality.q05, mean=quality.mean)
 
 
-def _certificate(certificate, surface_known, straight):
+def _certificate(certificate, surface_known):
     if certificate is None:
         return translate("HexCon", "not checked")
     if certificate.certified:
         proofs = [translate("HexCon", "every Jacobian is proved positive"),
                   translate("HexCon", "the mesh is proper"),
-                  translate("HexCon", "nothing overlaps") if straight else
-                  translate("HexCon", "nothing overlaps, but perhaps within the sag of curved boundary edges")]
+                  translate("HexCon", "nothing overlaps")]
         if surface_known:
             proofs.append(translate("HexCon", "its boundary exact"))
         # the word alone must not promise more than is proved

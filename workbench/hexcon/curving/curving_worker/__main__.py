@@ -24,10 +24,10 @@ def _run(job, link):
     places, on = carriers.middles(points[edges.ends[:, 0]], points[edges.ends[:, 1]], edges.faces)
     bend = np.zeros_like(points)
     bend[edges.middle] = places - points[edges.middle]
-    found = unfolded(points, hexes, bend, edges.middle, link.progress)
+    found = unfolded(points, hexes, quads, bend, edges.middle, link.progress)
     link.progress("fit", 0.0)
     fit = curved_fit(carriers, found.points, hexes, edges, quads, faces)
-    return {"points": found.points, "on": on, "factor": found.factor, "inner": found.inner, **fit}
+    return {"points": found.points, "on": on, "factor": found.factor, "inner": found.inner, "moved": found.moved, **fit}
 
 
 sys.exit(session.run(sys.argv[1], _run))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Curved edges without folded hexes: inner edges bend along, and what still folds gets less curvature, just there."""
+"""Curved edges without folded hexes: inner edges bend along, inner corners move, and what still folds, or faces that
+cross, get less curvature, just there."""
 from dataclasses import dataclass
 
 import numpy as np
@@ -7,6 +8,7 @@ import numpy as np
 import hexcon_native as hn
 
 from .boundary_edges import EDGES
+from .corner_moves import with_moved_corners
 
 BENDS = ((0.5, 2), (0.9, 3), (1.0, 6))      # what an inner edge takes over of its neighbours' bend, how far in
 ROUNDS = 30             # of taking over
@@ -18,25 +20,27 @@ LEAST = 0.1             # part of its scaled Jacobian with straight edges that a
 @dataclass
 class Unfolded:
     """points (P,3) with the middle nodes where they are; factor (H,): the part of its curvature that each hex kept, 1
-    for all; inner: how many inner edges bend."""
+    for all; inner: how many inner edges bend; moved: how many inner corners have moved."""
 
     points: np.ndarray
     factor: np.ndarray
     inner: int
+    moved: int
 
 
-def unfolded(points, hexes, bend, boundary, progress):
+def unfolded(points, hexes, quads, bend, boundary, progress):
     """An Unfolded mesh.
 
-    points (P,3) with straight edges, hexes (H,20) all positive then;  bend (P,3): how far the middle nodes `boundary`
-    are to move, 0 of the others;  progress: callable(stage, part)
+    points (P,3) with straight edges, hexes (H,20) all positive then;  quads (n,4) the boundary;  bend (P,3): how far
+    the middle nodes `boundary` are to move, 0 of the others;  progress: callable(stage, part)
     First the bend alone; where hexes fold (are not proved positive, or all but fold: see LEAST), inner edges near them
-    take over part of the bend of the edges beside them, if fewer hexes fold then; what is left keeps the largest part
-    of its curvature, by bisection, with which it does not.
+    take over part of the bend of the edges beside them, if fewer hexes fold then; then inner corners of what still
+    folds move; what is left keeps the largest part of its curvature, by bisection, with which it does not fold. Hexes
+    at curved faces that are not proved apart keep half of theirs, and half again, until they are.
     """
     least = LEAST * hn.quality(points, hexes).scaled_jacobian
     folded = _folded(points + bend, hexes, least)
-    inner = 0
+    inner = moved = 0
     if len(folded):
         alone, first = bend, folded
         for part, rings in BENDS:
@@ -48,19 +52,37 @@ def unfolded(points, hexes, bend, boundary, progress):
                 inner = int((np.abs(bend).sum(1) > 0).sum() - (np.abs(bend[boundary]).sum(1) > 0).sum())
             if not len(folded):
                 break
-    factor = np.ones(len(hexes))
-    scale = np.ones(len(points))
+        if len(folded):
+            progress("unfold", 0.4)
+            points, moved = with_moved_corners(points, hexes, quads, bend, folded, least)
+            folded = _folded(points + bend, hexes, least)
+    factor, scale = np.ones(len(hexes)), np.ones(len(points))
     for turn in range(10 * PATIENCE):
+        progress("unfold", 0.5)
+        now = points + bend * scale[:, None]
+        if len(folded):
+            kept = np.zeros(len(folded)) if turn >= PATIENCE else \
+                _largest(points, hexes[folded], bend * scale[:, None], least[folded])
+        else:
+            folded = _crossing(now, hexes, quads)
+            folded = folded[factor[folded] > 0.0]
+            kept = np.full(len(folded), 0.5 if turn < PATIENCE else 0.0)
         if not len(folded):
             break
-        progress("unfold", 0.5)
-        kept = np.zeros(len(folded)) if turn >= PATIENCE else \
-            _largest(points, hexes[folded], bend * scale[:, None], least[folded])
         factor[folded] *= kept
         np.minimum.at(scale, hexes[folded, 8:], scale[hexes[folded, 8:]] * kept[:, None])
-        folded = _folded(points + bend * scale[:, None], hexes, least)
+        near = _near(hexes, folded, len(points), 1)
+        folded = near[_folded(points + bend * scale[:, None], hexes[near], least[near])]
         folded = folded[factor[folded] > 0.0]       # nothing is left of the others' curvature
-    return Unfolded(points + bend * scale[:, None], factor, inner)
+    return Unfolded(points + bend * scale[:, None], factor, inner, moved)
+
+
+def _crossing(points, hexes, quads):
+    """Rows of the hexes at boundary quads that are not proved to meet only where they share nodes."""
+    pairs = hn.certify(points, hexes, quads).crossings
+    at_fault = quads[np.unique(pairs)]
+    near = np.flatnonzero(np.isin(hexes[:, :8], at_fault).sum(axis=1) >= 4)
+    return np.array([h for h in near if np.isin(at_fault, hexes[h, :8]).all(axis=1).any()], int)
 
 
 def _folded(points, hexes, least):
