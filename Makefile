@@ -173,7 +173,7 @@ solids: setup-run build
 
 grid-beside: setup-test build
 	@PYTHONPATH=.:workbench $(python) scripts/grid_beside/mesher_table.py --result output/meshers.jsonl
-	@PYTHONPATH=.:workbench $(python) scripts/grid_beside/fem_table.py --result output/fem.jsonl
+	@PYTHONPATH=.:workbench $(python) scripts/grid_beside/fem_table.py grid
 	@$(python) scripts/measured.py
 
 # Each writes its result file first: what is there already of csg is kept (remove the file to measure anew).

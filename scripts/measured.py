@@ -88,7 +88,8 @@ def mesher_rows(lines):
 
 BLOCKS = {"bench": ("bench.txt", verbatim), "parts": ("parts.txt", verbatim), "csg": ("csg.jsonl", csg_rows),
           "compare": ("compare.txt", verbatim), "optimizer": ("optimizer.txt", verbatim),
-          "fem": ("fem.jsonl", fem_rows), "meshers": ("meshers.jsonl", mesher_rows)}
+          **{name: (name + ".jsonl", fem_rows) for name in ("fem_grid", "fem_round", "fem_machined")},
+          "meshers": ("meshers.jsonl", mesher_rows)}
 """name: result file, and what makes the block's lines of the file's."""
 
 

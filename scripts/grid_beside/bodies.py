@@ -49,14 +49,12 @@ BODIES = {
 }
 
 
-def made(name, folder):
-    """(body, its shape, path of its .brep file in a folder)."""
-    body = BODIES[name]
-    shape = body.make()
-    shape = shape.Solids[0]
-    path = os.path.join(folder, name.replace(" ", "-") + ".brep")
+def made(body, folder):
+    """(the body's shape, path of its .brep file in a folder)."""
+    shape = body.make().Solids[0]
+    path = os.path.join(folder, "body.brep")
     shape.exportBrep(path)
-    return body, shape, path
+    return shape, path
 
 
 def face_at(shape, point):

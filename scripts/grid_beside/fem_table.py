@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FEM on hexes of the grid beside diced hexes and quadratic tetrahedra, at like numbers of nodes.
+"""FEM on hexes (the grid's and diced ones, or those of auto) beside quadratic tetrahedra at like numbers of nodes.
 
-    PYTHONPATH=.:workbench python3 scripts/grid_beside/fem_table.py [--body NAME ...] [--result output/fem.jsonl]
+    PYTHONPATH=.:workbench python3 scripts/grid_beside/fem_table.py [grid|round|machined] [--body NAME ...]
+                                                                    [--result FILE]
 
-A linear static problem a body: one face held, a force spread over another. Errors are against C3D10 of some 60,000
+A linear static problem a body: one face held, a force spread over another. Errors are against C3D10 of some 40,000
 nodes: of compliance (energy, and displacement of the load), and of stress, the root of the mean square at 2000 places
 inside, a size away from the held and the loaded face, over that of the stress. A body's line of the result file is
 kept; remove the file to measure anew.
@@ -15,7 +16,8 @@ import numpy as np
 
 sys.path[:0] = [os.path.dirname(os.path.dirname(os.path.abspath(__file__)))]
 
-from bodies import BODIES, face_at, made  # noqa: E402
+from bodies import face_at, made  # noqa: E402
+from fem_bodies import SETS  # noqa: E402
 from measured import fem_rows  # noqa: E402
 from measuring import table_of_bodies  # noqa: E402
 from static import Model  # noqa: E402
@@ -24,10 +26,9 @@ from tetrahedra import tetrahedra  # noqa: E402
 import hexcon  # noqa: E402
 from hexcon.femmesh.elements import elements_of  # noqa: E402
 
-FEM_BODIES = ("bracket with a boss", "crank", "T pipe", "hex nut")
-HEXES = {"grid": {"surface_method": "grid"},
+HEXES = {"grid": {"surface_method": "grid"}, "auto": {},
          "diced": {"surface_method": "subdivided-triangles", "method": "diced"}}
-REFERENCE, FINER = 60000, 0.55   # nodes; size of the finer grid
+REFERENCE, FINER = 40000, 0.55   # nodes; size of the finer hexes
 PLACES, SEED = 2000, 18
 LIKE = 1.12     # numbers of nodes are alike, if within this factor
 
@@ -55,9 +56,9 @@ def hex_models(mesh, held, loaded):
                                    ("C3D20", elements_of(mesh)), ("C3D20R", elements_of(mesh)))}
 
 
-def measured(name, folder):
-    """Figures of one body: a row for each of its meshes."""
-    body, shape, path = made(name, folder)
+def measured(name, body, natural, folder):
+    """Figures of one body: a row for each of its meshes. natural: "grid", beside diced ones, or "auto" alone."""
+    shape, path = made(body, folder)
     held, loaded = face_at(shape, body.held), face_at(shape, body.loaded)
 
     def hexes(what, size):
@@ -66,8 +67,9 @@ def measured(name, folder):
     def tets(nodes):
         return like(nodes, lambda size: tetrahedra(path, size, held, loaded, folder), body.size)
     against = Reference(tets(REFERENCE), body)
-    meshes = {"grid": hexes("grid", body.size), "grid, finer": hexes("grid", FINER * body.size)}
-    meshes["diced"] = like(len(meshes["grid, finer"].points), lambda size: hexes("diced", size), FINER * body.size)
+    meshes = {natural: hexes(natural, body.size), natural + ", finer": hexes(natural, FINER * body.size)}
+    if natural == "grid":
+        meshes["diced"] = like(len(meshes["grid, finer"].points), lambda size: hexes("diced", size), FINER * body.size)
     coarser = tets(REFERENCE // 3).solved(body.force)[0]
     return {"body": name, "bending": body.bending, "reference nodes": len(against.model.points),
             "reference change": against.compliance / coarser - 1,
@@ -79,7 +81,8 @@ def row_of(what, mesh, held, loaded, tets, against):
     models = hex_models(mesh, held, loaded)
     for order, kind in ((1, "C3D8"), (2, "C3D20")):
         models[f"C3D10 {order}"] = tets(len(models[kind].points))
-    return {"mesh": what, "hexes": len(mesh.hexes), "min": mesh.quality.min, "mean": mesh.quality.mean,
+    return {"mesh": what, "surface": mesh.report["surface method"], "hexes": len(mesh.hexes),
+            "min": mesh.quality.min, "mean": mesh.quality.mean,
             **{kind: {"nodes": len(model.points), **against.errors(model)} for kind, model in models.items()}}
 
 
@@ -117,5 +120,12 @@ def places_inside(reference, away):
     return places[:PLACES]
 
 
+def main():
+    chosen = sys.argv.pop(1) if sys.argv[1:2] and sys.argv[1] in SETS else "grid"
+    bodies, natural = SETS[chosen], "grid" if chosen == "grid" else "auto"
+    table_of_bodies(__doc__, bodies, list(bodies), f"output/fem_{chosen}.jsonl",
+                    lambda name, folder: measured(name, bodies[name], natural, folder), fem_rows)
+
+
 if __name__ == "__main__":
-    table_of_bodies(__doc__, BODIES, FEM_BODIES, "output/fem.jsonl", measured, fem_rows)
+    main()

@@ -83,7 +83,8 @@ def by_snappy(shape, size, folder, level):
 
 
 def measured(name, folder):
-    body, shape, path = made(name, folder)
+    body = BODIES[name]
+    shape, path = made(body, folder)
     grid = by_grid(path, body.size)
     others = {"gmsh, tetrahedra cut in four": (2, lambda size: by_gmsh(path, size, folder))}
     if is_installed():
