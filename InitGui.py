@@ -41,6 +41,12 @@ class HexConWorkbench(FreeCADGui.Workbench):
         self.appendToolbar(Qt.QT_TRANSLATE_NOOP("Workbench", "HexCon"), names)
         self.appendMenu(Qt.QT_TRANSLATE_NOOP("Workbench", "HexCon"), names)
 
+    def ContextMenu(self, recipient):
+        """In the tree and the 3D view; objects of HexCon have a menu of their own, in every workbench."""
+        names = self._commands.in_context_menu()
+        if names:
+            self.appendContextMenu("", names)
+
     def Activated(self):
         self._commands.core_is_there()
 

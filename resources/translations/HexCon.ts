@@ -49,7 +49,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Meshes ({endings})</source>
+        <source>Update</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -118,6 +118,10 @@
     </message>
     <message>
         <source>this method gives topology only: some Jacobians are zero or negative, so CalculiX must not be given its mesh. Choose method cells, or tick "{tick}" to get it anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HexCon help</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -269,6 +273,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>All of it together, shared evenly by what is loaded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>along {axis}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -314,6 +322,10 @@
     </message>
     <message>
         <source>Choose a loop to draw it thick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meshes ({endings})</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -393,6 +405,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Panels begin with what was used last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>HexCon's menu in the FEM workbench too</source>
         <translation type="unfinished"></translation>
     </message>
@@ -430,6 +446,38 @@
     </message>
     <message>
         <source>What the quads were made from is gone; they stay as they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these hexes are cut out of tetrahedra (method diced): valid, but crooked, and many for what they tell; automatic takes them where no method of natural hexes will do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these hexes are laid round every quad (method cells): valid, but small and very many; automatic takes them where nothing else will do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another size: {size} mm lets small features be taken up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another size: half of it lets small features be taken up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part without, or split at, the features that the notes name (F1 tells how)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>order 2 (C3D20): the same hexes bend, and most of the error goes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before you solve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What would help</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1190,6 +1238,18 @@
     </message>
     <message>
         <source>all hexes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{inverted} of {hexes} hexes inverted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{hexes} hexes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{hexes} hexes, worst scaled Jacobian {worst}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

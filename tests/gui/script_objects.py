@@ -408,19 +408,19 @@ def fem_has_the_menu_and_preferences_the_page():
     from hexcon.gui.commands import PreferencesPage
     page = PreferencesPage()
     page.loadSettings()
-    page.form.findChild(QtGui.QLineEdit, "ccx").setText("/nowhere/ccx")
+    page.form.findChild(QtGui.QWidget, "ccx").setProperty("fileName", "/nowhere/ccx")
     page.form.findChild(QtGui.QPushButton, "check_setup").click()
     page.form.resize(420, 520)
     page.form.grab().save(os.path.join(OUT, "preferences.png"))
     told = page.form.findChild(QtGui.QLabel, "setup").text()
     assert "native core" in told and "/nowhere/ccx" in told, told
-    page.form.findChild(QtGui.QLineEdit, "ccx").setText("")
+    page.form.findChild(QtGui.QWidget, "ccx").setProperty("fileName", "")
     getter = page.form.findChild(QtGui.QPushButton, "get_gmsh")
     assert getter.isHidden()
-    page.form.findChild(QtGui.QLineEdit, "GmshPython").setText("/nowhere/python")
+    page.form.findChild(QtGui.QWidget, "GmshPython").setProperty("fileName", "/nowhere/python")
     page.form.findChild(QtGui.QPushButton, "check_setup").click()
     assert not getter.isHidden()
-    page.form.findChild(QtGui.QLineEdit, "GmshPython").setText("")
+    page.form.findChild(QtGui.QWidget, "GmshPython").setProperty("fileName", "")
     page.saveSettings()
 
 

@@ -101,6 +101,14 @@ def test_groups_are_held_and_loaded_by_name(tmp_path, home):
     window("script_groups.py", tmp_path, home, "-M", str(ROOT))
 
 
+def test_conventions_of_the_window(tmp_path, home):
+    window("script_conventions.py", tmp_path, home, "-M", str(ROOT))
+
+
+def test_the_window_in_german(tmp_path, home):
+    window("script_german.py", tmp_path, home, "-M", str(ROOT))
+
+
 def bare_addon(folder):
     """The addon as it is before `make build`."""
     native = folder / "hexcon_native"

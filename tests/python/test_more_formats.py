@@ -92,7 +92,7 @@ SURFACES = {
     "sep.mesh": medit(), "one_line.mesh": medit(glue=" "), "v3.mesh": medit(3), "v1.mesh": medit(1),
     "quads_first.mesh": medit(order="Quadrilaterals Vertices"),
     "keywords.mesh": medit(more="Edges\n1\n1 2 3\nCorners 2\n1 2\nRidges\n1\n1\nRequiredVertices 1 1\nTriangles 0\n"),
-    "pixels.vtk": legacy(_PIXELS, 8), "quads.vtk": legacy(OUTER, 9),
+    "edges2.mesh": medit(more="EdgesP2\n1\n1 3 2 5\n"), "pixels.vtk": legacy(_PIXELS, 8), "quads.vtk": legacy(OUTER, 9),
     "polygons.vtk": _VTK + "POLYDATA\nPOINTS 27 double\n" + points("{:g} {:g} {:g}") + "POLYGONS 24 120\n"
                     + rows("4 {} {} {} {}", shift=0),
     "s41.msh": msh41(), "groups41.msh": msh41((_NAMES, "2 5 "

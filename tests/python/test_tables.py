@@ -3,6 +3,7 @@
 import ast
 import importlib.util
 import inspect
+import pathlib
 import re
 from pathlib import Path
 
@@ -18,7 +19,7 @@ from hexcon.cli import arguments
 from hexcon.errors import FaultCode
 from hexcon.inspection.stages import counts_of
 from hexcon.quads.gmsh_worker.methods import tried_by_auto
-from hexcon.stage_words import AROUND, HEX_STAGES, STAGES, hex_stage
+from hexcon.stage_words import AROUND, FIGURES, HEX_STAGES, STAGES, hex_stage
 from hexcon_native import ErrorCode
 
 ROOT = Path(__file__).parents[2]
@@ -98,8 +99,8 @@ def test_window_texts_are_collected():
     texts = list(translations.texts_of_tables())
     wanted = {word for row in METHODS for word in (row.label, row.purpose, row.told)}
     wanted |= {word for row in SURFACE_METHODS for word in (row.label, row.purpose)}
-    assert set(texts) == wanted | set(STAGES.values()) | set(HEX_STAGES.values())
-    assert translations.document() == read("resources/translations/HexCon.ts")
+    assert set(texts) == wanted | set(STAGES.values()) | set(HEX_STAGES.values()) | set(FIGURES)
+    assert all(pathlib.Path(path).read_bytes() == data for path, data in translations.files().items())
 
 
 # -------------------------------------------------------------------------------------------------- methods

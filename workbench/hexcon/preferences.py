@@ -10,6 +10,10 @@ DEFAULTS = {
     "SurfaceMethod": "auto",
     "Method": "auto",
     "Order": 1,
+    "Remember": True,       # panels begin with what was used last: the three above
+    "Force": 1000.0,        # N, of the last analysis
+    "Folder": "",           # of the last import or export
+    "ExportFormat": "",     # hexcon.files.formats.Format.name of the last export
     "FemMenu": True,        # HexCon's menu in the FEM workbench too
 }
 
@@ -26,7 +30,8 @@ def value(name):
         return default
     if isinstance(default, bool):
         return group.GetBool(name, default)
-    return group.GetInt(name, default) if isinstance(default, int) else group.GetString(name, default)
+    read = {int: group.GetInt, float: group.GetFloat, str: group.GetString}[type(default)]
+    return read(name, default)
 
 
 def set_value(name, new):
@@ -36,5 +41,7 @@ def set_value(name, new):
         group.SetBool(name, bool(new))
     elif isinstance(default, int):
         group.SetInt(name, int(new))
+    elif isinstance(default, float):
+        group.SetFloat(name, float(new))
     else:
         group.SetString(name, str(new))

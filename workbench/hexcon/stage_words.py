@@ -38,7 +38,19 @@ STAGES = {**AROUND, **hexcon_native.STAGES}
 HEX_STAGES = {**hexcon_native.HEX_STAGES, ALL: "all hexes"}
 """name: words, of the stages that put hexes in."""
 
+FIGURES = ("{inverted} of {hexes} hexes inverted", "{hexes} hexes", "{hexes} hexes, worst scaled Jacobian {worst}")
+"""What the core tells behind a stage and ", ": see context_tell_mesh."""
+
 _NUMBERED = re.compile(r"(.+) (\d+)")
+
+
+def figures_of(told):
+    """(one of FIGURES, {name: text}) of what is told behind a stage; (told, {}) for what is none of them."""
+    for template in FIGURES:
+        found = re.fullmatch(re.sub(r"{(\w+)}", r"(?P<\1>[-+.\\w]+)", template), told)
+        if found:
+            return template, found.groupdict()
+    return told, {}
 
 
 def hex_stage(name):

@@ -69,6 +69,13 @@ def _new_quad_surface(document, settings, name="QuadSurface"):
     return made
 
 
+def last_size(solid_object):
+    """The size of the newest quad surface made from the object, mm; 0 where there is none."""
+    made = [one for one in solid_object.InList
+            if quad_surface_objects.is_quad_surface(one) and one.Source == solid_object]
+    return max(made, key=lambda one: one.ID).Size.Value if made else 0.0
+
+
 def update_quad_surface(surface_object, **settings):
     """Make a quad surface anew with other settings (size, method), then what is made from it.
 

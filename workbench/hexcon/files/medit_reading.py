@@ -13,11 +13,12 @@ from .contents import Contents, Group
 from .text import parse_numbers
 
 # keyword -> (kind by meshio's names, corners); each has a reference number behind it
-_CELLS = {"vertices": None, "edges": ("line", 2), "triangles": ("triangle", 3), "quadrilaterals": ("quad", 4),
-          "tetrahedra": ("tetra", 4), "tetrahedrons": ("tetra", 4), "hexahedra": ("hexahedron", 8),
+_CELLS = {"vertices": None, "edges": ("line", 2), "edgesp2": ("line", 2), "triangles": ("triangle", 3),
+          "trianglesp2": ("triangle", 3), "quadrilaterals": ("quad", 4), "tetrahedra": ("tetra", 4),
+          "tetrahedrons": ("tetra", 4), "hexahedra": ("hexahedron", 8),
           "hexaedra": ("hexahedron", 8), "hexahedrons": ("hexahedron", 8),
           "prisms": ("wedge", 6), "pentahedra": ("wedge", 6), "pyramids": ("pyramid", 5)}
-# What gmsh writes at order 2: (kind, nodes) -> kind, and the places of VTK's nodes among gmsh's.
+# What gmsh writes at order 2 (4.15: edges as EdgesP2): (kind, nodes) -> kind, and places of VTK's nodes among gmsh's.
 _SECOND = {("line", 3): ("line3", range(3)), ("triangle", 6): ("triangle6", range(6)),
            ("quad", 8): ("quad8", range(8)), ("quad", 9): ("quad9", range(9)),
            ("hexahedron", 20): ("hexahedron20", places_of(HEX20["gmsh, files of .msh"])),

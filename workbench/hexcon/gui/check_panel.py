@@ -20,6 +20,7 @@ class CheckPanel(Panel):
     """Works as soon as it opens; then the words, and the hexes at fault in red: not positive, or overlapping."""
 
     failed = FreeCAD.Qt.QT_TRANSLATE_NOOP("HexCon", "Not checked")
+    command = "HexCon_Check"
 
     def __init__(self, mesh_object):
         super().__init__(mesh_object, translate("HexCon", "Certify hex mesh"), icon_path("HexCon_Check"))

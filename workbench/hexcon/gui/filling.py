@@ -9,6 +9,8 @@ from hexcon.pillows import CHOICES
 from hexcon.quads import METHOD_TABLE as SURFACE_METHOD_TABLE
 from hexcon_native import METHOD_CHOICES, METHOD_TABLE
 
+from . import last_used
+
 translate = FreeCAD.Qt.translate
 
 MOST_LAYERS = 10
@@ -146,6 +148,14 @@ class Filling:
         choose(self.pillow, str(pillow))
         self.budget.setValue(int(budget))
         self.allow_topological.setChecked(allow_topological)
+
+    def remember(self, surface_method=None):
+        """What was used is what the next panel begins with; not what is for topology only."""
+        if self.chosen().topological:
+            return
+        last_used.keep(Method=self.chosen().name, Order=self.order.currentData())
+        if surface_method:
+            last_used.keep(SurfaceMethod=surface_method)
 
     def allowed(self):
         return self.allow_topological.isChecked()

@@ -4,13 +4,13 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-from hexcon import preferences
 from hexcon.document.prepared import prepared
 from hexcon.errors import FaultCode, ToolError
 from hexcon.judging import words
 from hexcon.objects import hex_mesh
 from hexcon_native import HexconError
 
+from . import last_used
 from .filling import Filling, guess, written
 from .icons import icon_path
 from .panel import Panel, hourglass
@@ -22,6 +22,7 @@ class HexMeshPanel(Panel):
     """About a quad surface, for a new mesh; about a hex mesh object, to change it."""
 
     failed = FreeCAD.Qt.QT_TRANSLATE_NOOP("HexCon", "No mesh")
+    command = "HexCon_HexMesh"
 
     def __init__(self, about):
         self.edited = hex_mesh.is_hex_mesh(about)
@@ -45,7 +46,7 @@ class HexMeshPanel(Panel):
             self.filling.show_settings(mesh.Method, mesh.Layers, int(mesh.Order), mesh.Budget,
                                        mesh.AllowTopological, mesh.Pillow)
         else:
-            self.filling.show_settings(preferences.value("Method"), 0, preferences.value("Order"), 0)
+            self.filling.show_settings(last_used.value("Method"), 0, last_used.value("Order"), 0)
         rows.addRow("", self.expected)
         layout.addLayout(rows)
         self.mesh = QtGui.QPushButton(translate("HexCon", "Mesh anew") if self.edited else
@@ -63,7 +64,12 @@ class HexMeshPanel(Panel):
         self.expected.setText(translate("HexCon", "about {count} hexes").format(
             count=guess(a_quad * self.surface.Quads)))
 
+    def start(self):
+        """As its button that makes the object does, for whoever has opened it."""
+        self.on_mesh()
+
     def on_mesh(self):
+        self.advice.hide()
         self._used, self._allowed = self.filling.settings(), self.filling.allowed()
         try:
             self.filling.refuse_topological()
@@ -94,6 +100,8 @@ class HexMeshPanel(Panel):
             FreeCADGui.doCommand(f"hexcon.gui.actions.{call}({self.reference()}, {said})")
         if not self.edited:
             self.select_newest()
+        self.filling.remember()
+        self.advice.tell(result.method, result.order, self.surface.Size.Value)
         return words.of_mesh(result)
 
     def _set_running(self, running):

@@ -33,6 +33,7 @@ class InspectPanel(DrawingPanel):
     """The mesh opened by a plane or peeled, its scaled Jacobians, and the worst of its hexes."""
 
     failed = QT_TRANSLATE_NOOP("HexCon", "Not shown")
+    command = "HexCon_Inspect"
     hide = "hide_inside"
 
     def __init__(self, mesh_object):

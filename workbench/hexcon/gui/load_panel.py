@@ -6,18 +6,20 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-from hexcon import freecad_compat
+from hexcon import freecad_compat, preferences
 from hexcon.calculix.by_names import names_of
 from hexcon.errors import FaultCode, ToolError
 
 from . import recording
+from .chosen_parts import ChosenParts
 from .filling import narrow_box
 from .icons import icon_path
 from .panel import Panel
+from .sizing import in_unit, quantity_box
 from .work import in_words
 
 translate = FreeCAD.Qt.translate
-FORCE = 1000.0  # N
+COLOURS = {"held": (0.13, 0.35, 0.85), "loaded": (0.9, 0.4, 0.05)}     # of faces and groups that are chosen
 AXES = {"x": (1, 0, 0), "-x": (-1, 0, 0), "y": (0, 1, 0), "-y": (0, -1, 0), "z": (0, 0, 1), "-z": (0, 0, -1)}
 
 
@@ -25,11 +27,13 @@ class LoadPanel(Panel):
     """Faces clicked in the 3D view are held, or loaded, as the upper buttons say."""
 
     failed = FreeCAD.Qt.QT_TRANSLATE_NOOP("HexCon", "Not solved")
+    command = "HexCon_Solve"
 
     def __init__(self, mesh_object):
         self.solid = freecad_compat.solid_of_mesh_object(mesh_object)
         self.names = self._groups_of(mesh_object)
         self.faces, self.solved = {"held": [], "loaded": []}, False
+        self.parts = ChosenParts(self.solid, mesh_object)
         super().__init__(mesh_object, translate("HexCon", "Hold, load and solve"),
                          icon_path("HexCon_Solve"))
         if self.solid is None and not self.names:
@@ -41,6 +45,7 @@ class LoadPanel(Panel):
         else:  # its faces must be there to be clicked
             mesh_object.ViewObject.Visibility = False
             self.solid.ViewObject.Visibility = True
+        self._advise(mesh_object)
         FreeCADGui.Selection.clearSelection()
         FreeCADGui.Selection.addObserver(self)
 
@@ -57,6 +62,8 @@ class LoadPanel(Panel):
             self.pick[kind].setAutoExclusive(True)
             self.listed[kind].setObjectName(f"{kind}_faces")
             self.listed[kind].setWordWrap(True)
+            red, green, blue = (round(255 * part) for part in COLOURS[kind])
+            self.listed[kind].setStyleSheet(f"color: rgb({red}, {green}, {blue}); font-weight: bold")
             rows.addRow(self.pick[kind], self.listed[kind])
         self.pick["held"].setChecked(True)
         self._make_groups(rows)
@@ -66,6 +73,11 @@ class LoadPanel(Panel):
         self.solve.setObjectName("run")
         self.solve.clicked.connect(self.on_solve)
         layout.addWidget(self.solve)
+
+    def _advise(self, mesh_object):
+        """Where the mesh was made here and its hexes are poor."""
+        if hasattr(mesh_object, "MethodUsed"):
+            self.advice.tell(mesh_object.MethodUsed, int(mesh_object.Order))
 
     def _groups_of(self, mesh_object):
         """Names of the mesh's groups; without those of CAD faces where the solid's can be clicked."""
@@ -87,12 +99,8 @@ class LoadPanel(Panel):
             self.groups.setCurrentIndex(0)
 
     def _make_force(self, rows):
-        self.force = QtGui.QDoubleSpinBox()
-        self.force.setObjectName("force")
-        self.force.setRange(0.0, 1e12)
-        self.force.setSuffix(" N")
-        self.force.setValue(FORCE)
-        self.force.setMinimumWidth(60)
+        self.force = quantity_box("force", "N", preferences.value("Force"))
+        self.force.setToolTip(translate("HexCon", "All of it together, shared evenly by what is loaded"))
         self.axis = narrow_box("axis")
         for name, vector in AXES.items():
             self.axis.addItem(translate("HexCon", "along {axis}").format(axis=name), vector)
@@ -116,6 +124,12 @@ class LoadPanel(Panel):
         else:
             faces.append(part)
         self.listed[kind].setText(", ".join(faces) or "-")
+        self._show_chosen()
+
+    def _show_chosen(self):
+        """All that is held or loaded in its colour, until the panel goes: the selection shows the last click only."""
+        self.overlay.show_coloured([(COLOURS[kind], *self.parts.polygons(name))
+                                    for kind, names in self.faces.items() for name in names])
 
     def on_solve(self):
         self.result.clear()
@@ -132,12 +146,15 @@ class LoadPanel(Panel):
                 raise ToolError(text, FaultCode.BAD_OPTION)
         if self.about() is None:
             raise ToolError(translate("HexCon", "the mesh is gone"), FaultCode.BAD_MESH)
-        share = self.force.value() / len(self.faces["loaded"])
+        force = in_unit(self.force, "N")
+        preferences.set_value("Force", force)
+        share = force / len(self.faces["loaded"])
         vector = tuple(share * part for part in self.axis.currentData())
         force = {face: vector for face in self.faces["loaded"]}
         FreeCADGui.Selection.clearSelection()
         result = recording.run("load_and_solve", f"{self.reference()}, {self.faces['held']!r}, {force!r}")
         self.solved = True
+        self.overlay.hide()     # it would lie over the displaced mesh
         self.result.setText(translate(
             "HexCon", "<b>Solved.</b> Displacement at most {length:.4g} mm, von Mises stress at most "
             "{stress:.4g} MPa. The analysis in the tree has everything; the FEM workbench changes it.").format(

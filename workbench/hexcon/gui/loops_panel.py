@@ -22,6 +22,7 @@ class LoopsPanel(DrawingPanel):
     """The loops in their colours, those that cross themselves first; the pairing, if it is wanted."""
 
     failed = QT_TRANSLATE_NOOP("HexCon", "Not shown")
+    command = "HexCon_Loops"
     hide = "hide_loops"
 
     def __init__(self, mesh_object):

@@ -5,7 +5,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from hexcon import preferences
-from hexcon.document.making_quads import default_size
+from hexcon.document.making_quads import default_size, last_size
 from hexcon.document.prepared import prepared
 from hexcon.errors import FaultCode, ToolError
 from hexcon.judging import words
@@ -14,6 +14,7 @@ from hexcon.objects.parametric import solid_shape
 from hexcon.objects.quad_surface import TIMEOUT
 from hexcon.topological import is_topological
 
+from . import last_used
 from .filling import Filling, choose, guess, written
 from .icons import icon_path
 from .panel import Panel, hourglass
@@ -27,6 +28,7 @@ class MeshPanel(Panel):
     """Size, methods, layers and order; a certified mesh in the document, or the reason why not."""
 
     failed = QT_TRANSLATE_NOOP("HexCon", "No mesh")
+    command = "HexCon_MeshSolid"
 
     def __init__(self, solid):
         self._shape = solid.Shape
@@ -38,14 +40,14 @@ class MeshPanel(Panel):
         rows = QtGui.QFormLayout()
         rows.setHorizontalSpacing(4)
         rows.addRow(translate("HexCon", "Solid"), QtGui.QLabel(self.about().Label))
-        self.size = size_box(default_size(self._shape), self._estimate)
+        self.size = size_box(last_size(self.about()) or default_size(self._shape), self._estimate)
         self.expected = QtGui.QLabel()
         self.expected.setObjectName("expected")
         self.expected.setWordWrap(True)
         self.surface_method = method_box()
-        choose(self.surface_method, preferences.value("SurfaceMethod"))
+        choose(self.surface_method, last_used.value("SurfaceMethod"))
         self.filling = Filling(self._estimate)
-        self.filling.show_settings(preferences.value("Method"), 0, preferences.value("Order"), 0)
+        self.filling.show_settings(last_used.value("Method"), 0, last_used.value("Order"), 0)
         self.mesh = QtGui.QPushButton(translate("HexCon", "Mesh"))
         self.mesh.setObjectName("mesh")
         self.mesh.clicked.connect(self.on_mesh)
@@ -77,7 +79,12 @@ class MeshPanel(Panel):
                 else translate("HexCon", "about {count} hexes"))
         self.expected.setText(text.format(natural=natural, count=by_quads))
 
+    def start(self):
+        """As the button does."""
+        self.on_mesh()
+
     def on_mesh(self):
+        self.advice.hide()
         self._used = self._settings()
         self._allowed = self.filling.allowed()
         solid = self.about()
@@ -111,6 +118,8 @@ class MeshPanel(Panel):
                 f"hexcon.gui.actions.mesh_solid_object({self.reference()}, {used['size']!r}, "
                 f"surface_method={used['surface_method']!r}, {written(used, self._allowed)})")
         self.select_newest()
+        self.filling.remember(used["surface_method"])
+        self.advice.tell(result.method, result.order, used["size"])
         self.solve.setVisible(not is_topological(result))
         rows = words.of_mesh(result)
         FreeCAD.Console.PrintMessage(f"HexCon: {words.as_text(rows)}\n")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Quads drawn into the 3D view over the document: a preview, or the quads at fault."""
+"""Quads drawn into the 3D view over the document: a preview, the quads at fault, or faces that were chosen."""
 import FreeCADGui
 import numpy as np
 from pivy import coin
@@ -39,6 +39,30 @@ class Overlay:
         drawn = quads[faulty] if len(faulty) else quads
         node.addChild(_faces(drawn, FAULT if len(faulty) else FILL))
         node.addChild(_lines(drawn, FAULT_EDGE if len(faulty) else EDGE, bool(len(faulty))))
+        view.getSceneGraph().addChild(node)
+        self._view, self._node = view, node
+
+    def show_coloured(self, parts):
+        """Draw polygons in colours of their own, instead of what is drawn.
+
+        parts  [(colour (r, g, b), points (V,3), polygons (n,3|4)), ...]; those without polygons are left out
+        """
+        self.hide()
+        view = _view_of(self._document_name)
+        parts = [part for part in parts if len(part[2])]
+        if view is None or not parts:
+            return
+        node = coin.SoSeparator()
+        node.setName(NODE)
+        style = coin.SoPickStyle()
+        style.style = coin.SoPickStyle.UNPICKABLE
+        node.addChild(style)
+        for colour, points, polygons in parts:
+            group, places = coin.SoSeparator(), coin.SoCoordinate3()
+            places.point.setValues(0, len(points), np.asarray(points, float).tolist())
+            group.addChild(places)
+            group.addChild(_faces(np.asarray(polygons), colour))
+            node.addChild(group)
         view.getSceneGraph().addChild(node)
         self._view, self._node = view, node
 

@@ -11,6 +11,8 @@ from hexcon.judging import words
 from hexcon.quads.surface import edges_along
 from hexcon_native import ErrorCode
 
+from .advice_label import AdviceLabel
+from .help_page import ADVICE, HelpKey
 from .overlay import Overlay
 from .work import Work, in_words
 
@@ -46,6 +48,7 @@ class Panel:
     """
 
     failed = ""  # how the words of a fault begin
+    command = ""    # whose panel it is: F1 opens that command's page
 
     def __init__(self, about, title, icon):
         self.document_name, self.object_name = about.Document.Name, about.Name
@@ -59,10 +62,16 @@ class Panel:
         layout = QtGui.QVBoxLayout(self.form)
         self.fill(layout)
         self._add_progress(layout)
+        self._help = HelpKey(self.form, self.page)
+        self._help.watch(self.form)
         FreeCAD.addDocumentObserver(self)
 
     def fill(self, layout):
         """Add the panel's own widgets above the progress bar."""
+
+    def page(self):
+        """What help_page.PAGES has the page of."""
+        return ADVICE if self.advice.isVisible() else self.command
 
     def _add_progress(self, layout):
         self.progress = QtGui.QProgressBar()
@@ -81,12 +90,14 @@ class Panel:
         rows.addWidget(self.figures)
         rows.addWidget(self.cancel)
         self.running.hide()
+        self.advice = AdviceLabel()
         self.result = QtGui.QLabel()
         self.result.setObjectName("result")
         self.result.setWordWrap(True)
         self.result.setTextFormat(QtCore.Qt.RichText)
         self.result.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         layout.addWidget(self.running)
+        layout.addWidget(self.advice)
         layout.addWidget(self.result)
 
     # ----------------------------------------------------------------------------------- the work

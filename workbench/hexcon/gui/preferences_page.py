@@ -3,6 +3,7 @@
 from html import escape
 
 import FreeCAD
+import FreeCADGui
 from PySide import QtGui
 
 from hexcon import packages, preferences
@@ -30,6 +31,7 @@ def build(form):
     defaults.addRow(translate("HexCon", "Surface"), fields["SurfaceMethod"])
     defaults.addRow(translate("HexCon", "Method"), fields["Method"])
     defaults.addRow(translate("HexCon", "Order"), fields["Order"])
+    defaults.addRow(fields["Remember"])
     defaults.addRow(fields["FemMenu"])
     layout.addWidget(_group(translate("HexCon", "Defaults of the panels"), defaults))
     found = QtGui.QLabel()
@@ -75,21 +77,30 @@ def _fields():
     threads = QtGui.QSpinBox()
     threads.setRange(0, 1024)
     threads.setSpecialValueText(translate("HexCon", "one per processor"))
-    fields = {"GmshPython": QtGui.QLineEdit(), "ccx": QtGui.QLineEdit(), "Threads": threads,
+    fields = {"GmshPython": _file_field(), "ccx": _file_field(), "Threads": threads,
               "SurfaceMethod": filling.choice_of_methods("SurfaceMethod", list(SURFACE_METHOD_TABLE.values())),
               "Method": filling.choice_of_methods("Method", solved),
               "Order": filling.choice_of("Order", words.ORDERS, words.ORDERS),
+              "Remember": QtGui.QCheckBox(translate("HexCon", "Panels begin with what was used last")),
               "FemMenu": QtGui.QCheckBox(translate("HexCon", "HexCon's menu in the FEM workbench too"))}
     for name, field in fields.items():
         field.setObjectName(name)
     return fields
 
 
+def _file_field():
+    """FreeCAD's field for a path, with a button that chooses the file."""
+    return FreeCADGui.UiLoader().createWidget("Gui::FileChooser")
+
+
+PROGRAMS = ("GmshPython", "ccx")     # names of the fields of files
+
+
 def _load(fields):
     for name, field in fields.items():
         value = _ccx() if name == "ccx" else preferences.value(name)
-        if isinstance(field, QtGui.QLineEdit):
-            field.setText(value)
+        if name in PROGRAMS:
+            field.setProperty("fileName", value)
         elif isinstance(field, QtGui.QSpinBox):
             field.setValue(value)
         elif isinstance(field, QtGui.QCheckBox):
@@ -101,9 +112,9 @@ def _load(fields):
 def _save(fields):
     for name, field in fields.items():
         if name == "ccx":
-            _set_ccx(field.text().strip())
-        elif isinstance(field, QtGui.QLineEdit):
-            preferences.set_value(name, field.text().strip())
+            _set_ccx(str(field.property("fileName")).strip())
+        elif name in PROGRAMS:
+            preferences.set_value(name, str(field.property("fileName")).strip())
         elif isinstance(field, QtGui.QSpinBox):
             preferences.set_value(name, field.value())
         elif isinstance(field, QtGui.QCheckBox):

@@ -6,7 +6,6 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-from hexcon import preferences
 from hexcon.document.making_quads import default_size
 from hexcon.document.prepared import prepared
 from hexcon.freecad_compat import shape_of
@@ -14,6 +13,7 @@ from hexcon.judging import words
 from hexcon.objects import quad_surface
 from hexcon_native import HexconError
 
+from . import last_used
 from .filling import choose
 from .icons import icon_path
 from .panel import Panel, hourglass
@@ -26,6 +26,7 @@ class SurfacePanel(Panel):
     """About a solid, or another mesh, for a new surface; about a quad surface object, to change it."""
 
     failed = FreeCAD.Qt.QT_TRANSLATE_NOOP("HexCon", "No quads")
+    command = "HexCon_QuadSurface"
 
     def __init__(self, about):
         self.edited = quad_surface.is_quad_surface(about)
@@ -42,7 +43,7 @@ class SurfacePanel(Panel):
         rows.addRow(translate("HexCon", "From"), QtGui.QLabel(_origin(about, self.source)))
         size = about.Size.Value if self.edited else default_size(about.Shape) if solid else 1.0
         self.size, self.method = size_box(size, self._outdated), method_box()
-        choose(self.method, about.Method if self.edited else preferences.value("SurfaceMethod"))
+        choose(self.method, about.Method if self.edited else last_used.value("SurfaceMethod"))
         self.method.currentIndexChanged.connect(self._outdated)
         if solid:
             rows.addRow(translate("HexCon", "Size"), self.size)
@@ -81,6 +82,10 @@ class SurfacePanel(Panel):
 
     def on_preview(self):
         self._start(False)
+
+    def start(self):
+        """As its button that makes the object does, for whoever has opened it."""
+        self.on_make()
 
     def on_make(self):
         self._start(True)

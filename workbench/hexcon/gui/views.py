@@ -40,6 +40,16 @@ class _View:
         self.doubleClicked(view)
         return False
 
+    def setupContextMenu(self, view, menu):
+        """FreeCAD asks for it each time the object's menu is shown."""
+        from .context_menu import add_entries
+        names, anew = self.entries(view.Object)
+        add_entries(menu, view.Object, names, (lambda: self.panel(view.Object)) if anew else None)
+
+    def entries(self, obj):
+        """(names of commands in the object's menu, whether its panel makes it anew)."""
+        return (), False
+
     def panel(self, obj):
         """The task panel of the object."""
         raise NotImplementedError
@@ -61,6 +71,10 @@ class QuadSurfaceView(_View):
 
     icon = "HexCon_QuadSurface"
 
+    def entries(self, obj):
+        from .context_menu import OF_SURFACE
+        return OF_SURFACE, True
+
     def panel(self, obj):
         from .surface_panel import SurfacePanel
         return SurfacePanel(obj)
@@ -70,6 +84,10 @@ class HexMeshView(_View):
     """Of a hex mesh, parametric or of an older document: the latter can but be judged."""
 
     icon = "HexCon_HexMesh"
+
+    def entries(self, obj):
+        from .context_menu import OF_MESH
+        return OF_MESH, getattr(obj, "Surface", None) is not None
 
     def panel(self, obj):
         if getattr(obj, "Surface", None) is not None:

@@ -3,7 +3,7 @@
 import re
 from html import escape
 
-from hexcon.stage_words import HEX_STAGES, STAGES, hex_stage
+from hexcon.stage_words import HEX_STAGES, STAGES, figures_of, hex_stage
 from hexcon.topological import is_topological
 from hexcon.translation import QT_TRANSLATE_NOOP, translate
 from hexcon_native import METHOD_TABLE
@@ -22,8 +22,10 @@ MOST_LISTED = 10
 
 def stage(told):
     """(what a stage is called in the window, what is known of the mesh there or ""), of what progress tells."""
-    name, _, figures = told.partition(", ")
-    return translate("HexCon", STAGES[name]) if name in STAGES else name, figures
+    name, _, rest = told.partition(", ")
+    template, figures = figures_of(rest)
+    said = translate("HexCon", template).format(**figures) if figures else rest
+    return translate("HexCon", STAGES[name]) if name in STAGES else name, said
 
 
 def count(number):

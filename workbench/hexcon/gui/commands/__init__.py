@@ -6,6 +6,6 @@ of HexCon before a command runs.
 """
 from .missing_core import core_is_there
 from .preferences import PreferencesPage
-from .registration import join_freecad, register
+from .registration import in_context_menu, join_freecad, register
 
-__all__ = ["PreferencesPage", "core_is_there", "join_freecad", "register"]
+__all__ = ["PreferencesPage", "core_is_there", "in_context_menu", "join_freecad", "register"]

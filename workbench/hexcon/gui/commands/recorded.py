@@ -45,6 +45,7 @@ class Quality(CallCommand):
     """Makes a quality report about the selected mesh."""
 
     name, call = "HexCon_Quality", "make_quality_report"
+    keys = "H, R"
     menu_text = QT_TRANSLATE_NOOP("HexCon_Quality", "Quality report")
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_Quality", "An object with the least, 5 % and mean scaled Jacobian of the selected FEM "
@@ -55,6 +56,7 @@ class Repair(CallCommand):
     """Makes a repaired mesh beside the selected one."""
 
     name, call = "HexCon_Repair", "repair_hex_mesh"
+    keys = "H, F"
     menu_text = QT_TRANSLATE_NOOP("HexCon_Repair", "Repair hex mesh")
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_Repair", "Another mesh beside the selected one: hexes in reversed node order turned, unused points "
@@ -65,6 +67,7 @@ class IntoAnalysis(CallCommand):
     """Puts the selected mesh into an analysis."""
 
     name, call = "HexCon_IntoAnalysis", "into_analysis"
+    keys = "H, N"
     menu_text = QT_TRANSLATE_NOOP("HexCon_IntoAnalysis", "Into analysis")
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_IntoAnalysis", "Put the selected hex mesh into the active analysis of the FEM workbench, "
@@ -75,6 +78,7 @@ class Export(PanelCommand):
     """Writes the selected mesh into a file."""
 
     name = "HexCon_Export"
+    keys = "H, E"
     menu_text = QT_TRANSLATE_NOOP("HexCon_Export", "Export hex mesh")
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_Export", "Write the selected hex mesh, with its face groups, into a file for a solver or another "
@@ -83,12 +87,9 @@ class Export(PanelCommand):
 
     def Activated(self):
         if core_is_there():
-            from hexcon.files import WRITERS
+            from hexcon.gui.mesh_files import choose_export
             mesh = self.selected()
-            path, _ = QtGui.QFileDialog.getSaveFileName(
-                FreeCADGui.getMainWindow(), translate(self.name, self.menu_text), "",
-                translate("HexCon", "Meshes ({endings})").format(
-                    endings=" ".join(f"*{ending}" for ending in WRITERS if ending != ".fcstd")))
+            path = choose_export(mesh, translate(self.name, self.menu_text))
             if path:
                 run_recorded("export_hex_mesh", f"FreeCAD.ActiveDocument.getObject({mesh.Name!r}), {path!r}")
 
@@ -97,6 +98,7 @@ class Import(PanelCommand):
     """Reads quads from a file."""
 
     name = "HexCon_Import"
+    keys = "H, O"
     menu_text = QT_TRANSLATE_NOOP("HexCon_Import", "Import quad surface")
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_Import", "Read the quads of a mesh file, of gmsh, Abaqus, Nastran, Medit, VTK and other programs")
@@ -106,10 +108,7 @@ class Import(PanelCommand):
 
     def Activated(self):
         if core_is_there():
-            from hexcon.quads.files import MESH_ENDINGS
-            endings = " ".join(f"*{ending}" for ending in MESH_ENDINGS)
-            path, _ = QtGui.QFileDialog.getOpenFileName(
-                FreeCADGui.getMainWindow(), translate(self.name, self.menu_text), "",
-                translate("HexCon", "Meshes ({endings})").format(endings=endings))
+            from hexcon.gui.mesh_files import choose_import
+            path = choose_import(translate(self.name, self.menu_text))
             if path:
                 run_recorded("import_quad_surface", repr(path))

@@ -4,12 +4,13 @@ import os
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from .examples import EXAMPLES, Examples
 from .place import ROOT
 from .preferences import PreferencesPage
 from .recorded import Export, Import, IntoAnalysis, Quality, Repair
+from .selection import is_ours, selected_solid
 from .with_panel import Check, HexMesh, Inspect, Loops, MeshSolid, QuadSurface, Solve
 
 COMMANDS = (Examples(), QuadSurface(), Import(), HexMesh(), MeshSolid(), Check(), Inspect(), Loops(),
@@ -27,6 +28,15 @@ def register():
         exec(add, {"add": FreeCADGui.addCommand, "command": command})
         _registered.append(command.name)
     return NAMES
+
+
+def in_context_menu():
+    """Names of the commands for what is selected, where no view provider of ours offers them."""
+    selected = FreeCADGui.Selection.getSelection()
+    if len(selected) != 1 or is_ours(selected[0]):
+        return []
+    offered = (MeshSolid, QuadSurface) if selected_solid() else (Inspect, Solve, Export, Check, Quality, Repair)
+    return [command.name for command in offered if command.selected() is not None]
 
 
 def add_menu_to_fem(workbench):
@@ -63,6 +73,7 @@ def _add_entry(menu, command):
             _add_entry(inner, member)
         return
     entry = menu.addAction(icon, text)
+    entry.setObjectName(command.name)   # as FreeCAD names those of its own menus
     entry.setToolTip(FreeCAD.Qt.translate(command.name, said["ToolTip"]))
     entry.triggered.connect(lambda *_: FreeCADGui.runCommand(command.name))
     menu.aboutToShow.connect(lambda: entry.setEnabled(bool(command.IsActive())))
@@ -75,3 +86,29 @@ def join_freecad():
     FreeCADGui.addPreferencePage(PreferencesPage, "HexCon")
     window = FreeCADGui.getMainWindow()
     window.workbenchActivated.connect(add_menu_to_fem)
+    window.workbenchActivated.connect(_watch_menus)
+
+
+def _watch_menus(*_):
+    """F1 on an entry of HexCon's menus opens the command's page; FreeCAD makes its menus anew with each workbench."""
+    for menu in FreeCADGui.getMainWindow().menuBar().findChildren(QtGui.QMenu):
+        if menu.title().replace("&", "") == "HexCon" and not menu.property("hexcon_help"):
+            menu.setProperty("hexcon_help", True)
+            menu.aboutToShow.connect(lambda menu=menu: _watch(menu))
+
+
+def _watch(menu):
+    if menu.findChild(QtCore.QObject, "HexConHelpKey") is None:
+        try:
+            from hexcon.gui.help_page import HelpKey
+        except ImportError:     # the core is missing
+            return
+        key = HelpKey(menu, lambda: _command_of(menu.activeAction()))
+        key.setObjectName("HexConHelpKey")
+        key.watch(menu)
+
+
+def _command_of(action):
+    """The name of an entry's command; None where it is none of ours."""
+    name = action.objectName() if action else ""
+    return name if name.startswith("HexCon_") else None

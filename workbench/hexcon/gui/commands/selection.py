@@ -61,3 +61,8 @@ def selected_quad_surface():
     """The one selected quad surface object, or None."""
     found, _ = _selected()
     return found if _has(found, "SelfCrossings") else None
+
+
+def is_ours(thing):
+    """Whether an object has a view provider of HexCon, which tells its own menu."""
+    return _has(thing, "MadeFrom")

@@ -17,12 +17,13 @@ class PanelCommand:
     """What they share: a panel for the one selected object."""
 
     name = menu_text = tool_tip = ""
+    keys = ""        # one after the other, as FreeCAD's own: H stands for hexes
     icon = ""        # of another name than the command
     selected = None  # function: the object the command is for, or None
     panel = None     # function of that object: a task panel, imported as late as this
 
     def GetResources(self):
-        return {"MenuText": self.menu_text, "ToolTip": self.tool_tip,
+        return {"MenuText": self.menu_text, "ToolTip": self.tool_tip, "Accel": self.keys,
                 "Pixmap": icon_path(self.icon or f"{self.name}.svg")}
 
     def IsActive(self):
@@ -37,6 +38,7 @@ class MeshSolid(PanelCommand):
     """Opens the panel that meshes the selected solid."""
 
     name = "HexCon_MeshSolid"
+    keys = "H, M"
     menu_text = QT_TRANSLATE_NOOP("HexCon_MeshSolid", "Hex mesh from solid")
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_MeshSolid", "Fill the selected solid with certified hexahedra for the FEM "
@@ -52,6 +54,7 @@ class Check(PanelCommand):
     """Certifies the selected mesh and shows where it is not valid."""
 
     name = "HexCon_Check"
+    keys = "H, C"
     menu_text = QT_TRANSLATE_NOOP("HexCon_Check", "Certify hex mesh")
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_Check", "Prove that every hexahedron of the selected FEM mesh is valid, or show "
@@ -67,6 +70,7 @@ class Inspect(PanelCommand):
     """Opens the selected mesh, coloured by the quality of its hexes."""
 
     name = "HexCon_Inspect"
+    keys = "H, I"
     menu_text = QT_TRANSLATE_NOOP("HexCon_Inspect", "Inspect hex mesh")
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_Inspect", "Look into the selected FEM mesh: cut it, peel layers off, see the scaled "
@@ -82,6 +86,7 @@ class Loops(PanelCommand):
     """Draws the dual loops of the selected mesh's surface."""
 
     name = "HexCon_Loops"
+    keys = "H, L"
     menu_text = QT_TRANSLATE_NOOP("HexCon_Loops", "Show dual loops")
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_Loops", "Draw the dual loops of the selected quad surface, or of the boundary of the "
@@ -97,6 +102,7 @@ class QuadSurface(PanelCommand):
     """Opens the panel that meshes the surface of the selected solid with quads."""
 
     name = "HexCon_QuadSurface"
+    keys = "H, Q"
     menu_text = QT_TRANSLATE_NOOP("HexCon_QuadSurface", "Quad surface")
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_QuadSurface", "Mesh the surface of the selected solid with quads, or take the quads "
@@ -112,6 +118,7 @@ class HexMesh(PanelCommand):
     """Opens the panel that fills the selected quad surface."""
 
     name = "HexCon_HexMesh"
+    keys = "H, H"
     menu_text = QT_TRANSLATE_NOOP("HexCon_HexMesh", "Hex mesh from quads")
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_HexMesh", "Fill the selected quad surface with certified hexahedra whose boundary is "
@@ -127,6 +134,7 @@ class Solve(PanelCommand):
     """Opens the panel that holds, loads and solves."""
 
     name = "HexCon_Solve"
+    keys = "H, S"
     menu_text = QT_TRANSLATE_NOOP("HexCon_Solve", "Hold, load and solve")
     tool_tip = QT_TRANSLATE_NOOP(
         "HexCon_Solve", "Click a face that is held and one that is loaded; CalculiX solves, and the "
