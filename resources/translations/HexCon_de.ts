@@ -489,12 +489,16 @@
         <translation>{count} Kanten im Inneren biegen sich mit, so dass sich kein Hexaeder faltet</translation>
     </message>
     <message>
+        <source>{count} corners inside moved, so that no hex folds</source>
+        <translation>{count} Ecken im Inneren haben sich bewegt, damit sich kein Hexaeder faltet</translation>
+    </message>
+    <message>
         <source>{count} edges of the boundary found no place on the solid: they are straight</source>
         <translation>{count} Kanten des Randes fanden keinen Platz auf dem Körper: Sie sind gerade</translation>
     </message>
     <message>
-        <source>{count} hexes would fold, and keep part of their curvature: {hexes}</source>
-        <translation>{count} Hexaeder würden sich falten und behalten einen Teil ihrer Krümmung: {hexes}</translation>
+        <source>{count} hexes would fold or cross, and keep part of their curvature: {hexes}</source>
+        <translation>{count} Hexaeder würden sich falten oder kreuzen und behalten einen Teil ihrer Krümmung: {hexes}</translation>
     </message>
     <message>
         <source>volume {volume:+.2g} of the solid's, area {area:+.2g}; curved faces at most {chord:.3g} off it</source>
@@ -743,10 +747,6 @@
     <message>
         <source>nothing overlaps</source>
         <translation>nichts überlappt</translation>
-    </message>
-    <message>
-        <source>nothing overlaps, but perhaps within the sag of curved boundary edges</source>
-        <translation>nichts überlappt, außer vielleicht innerhalb der Wölbung gekrümmter Randkanten</translation>
     </message>
     <message>
         <source>its boundary exact</source>
