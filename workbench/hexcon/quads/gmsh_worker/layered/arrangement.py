@@ -111,7 +111,7 @@ def _proper(a, b, tolerance):
     real = np.linalg.norm(b.at(f[:, 1]) - places, axis=1) < tolerance
     step = AWAY * tolerance / max(_length(a.xy), tolerance)
     for side in (-step, step):
-        away = a.at((f[:, 0] + side).clip(0.0, 1.0))
+        away = a.about((f[:, 0] + side).clip(0.0, 1.0))
         moved = np.linalg.norm(away - places, axis=1)
         real &= (moved < 0.1 * AWAY * tolerance) | (b.locate(away)[1] > TOUCHING * moved)
     return places[real]
