@@ -12,6 +12,7 @@ from hexcon.quads.gmsh_worker.link import Link
 from hexcon.quads.gmsh_worker.outline import Outline, balanced, least_count, with_total
 from hexcon.quads.gmsh_worker.plane_mesh import coons, harmonic
 from hexcon.quads.gmsh_worker.recognise import candidates
+from hexcon.quads.gmsh_worker.size_field import SizeField
 
 pytestmark = pytest.mark.usefixtures("gmsh_running")
 BRACKET = pathlib.Path(__file__).parents[2] / "resources" / "examples" / "bracket.step"
@@ -61,7 +62,7 @@ def test_the_bracket_is_even_and_good_at_every_size(size):
     """Three holes in an L with a fillet: o-grids in a lattice whose lines are dense beside holes and nowhere thin."""
     solid = cad.load(str(BRACKET))
     sweep, *planes = orient(solid, candidates(solid)[0])
-    outline = outline_of(solid, sweep, *planes, size)
+    outline = outline_of(solid, sweep, *planes, SizeField(size))
     mesh = mesh_cap(outline, Link(), "cap")
     low, mean = mesh.quality()
     edges = np.linalg.norm(np.roll(mesh.points[mesh.quads], -1, axis=1) - mesh.points[mesh.quads], axis=2)

@@ -10,6 +10,7 @@ from hexcon.errors import FaultCode, ToolError
 from hexcon.quads import surface_from_solid
 from hexcon.quads.gmsh_worker.revolved import surface
 from hexcon.quads.gmsh_worker.revolved.axis import Axis
+from hexcon.quads.gmsh_worker.size_field import SizeField
 
 FULL = 2 * np.pi
 
@@ -82,7 +83,7 @@ def test_the_number_round_is_finite(off, count):
         def edge_points(self, edge, shares):
             return np.array([[1.0, 0.0, z] for z in shares])
     axis = Axis.through(np.zeros(3), np.array([0.0, 0.0, 1.0]))
-    assert surface._number_round(Rod(), axis, 0.5, off, 4) == count
+    assert surface._number_round(Rod(), axis, None, SizeField(0.5), off, 4) == count
 
 
 ROD = "[(3, occ.addCylinder(0, 0, 0, 0, 0, 9, 5))]"

@@ -115,33 +115,49 @@ def test_the_grid_follows(tmp_path, where):
     assert len(plain.quads) < len(surface.quads) < 12 * len(plain.quads)
 
 
+@pytest.mark.parametrize("method", ["layered", "sweep"])
 @pytest.mark.parametrize("where", WHERE)
-def test_layers_follow(tmp_path, where):
-    """Edges of the CAD near the place are divided finely, those far away are not."""
+def test_edges_are_divided_as_sizes_want(tmp_path, where, method):
+    """Edges of the CAD near the place finely, those far away less."""
     path = cad_file(PLATE, tmp_path / "solid.brep")
-    mesh = hexcon.mesh_solid(path, 4.0, surface_method="layered", local_sizes={where: 1.0})
+    mesh = hexcon.mesh_solid(path, 4.0, surface_method=method, local_sizes={where: 1.0})
     surface = mesh.surface
     assert mesh.certificate.certified and mesh.quality.min > 0.4
     assert not faults(mesh.points, mesh.hexes, surface.quads, surface.points)
     here, there = WHERE[where]
     assert np.median(edges_near(surface, here, 0.8)) < 1.6
     assert np.median(edges_near(surface, there, 6.0)) > 1.8
-    assert len(surface.quads) < 12 * len(surface_from_solid(path, 4.0, "layered").quads)
+    assert len(surface.quads) < 12 * len(surface_from_solid(path, 4.0, method).quads)
+
+
+def test_a_turned_part_follows(tmp_path):
+    """A shaft's thin end: shorter along and round there; quads round a turn as many as are asked for."""
+    shaft = "occ.fuse([(3, occ.addCylinder(0, 0, 0, 0, 0, 10, 4))], [(3, occ.addCylinder(0, 0, 10, 0, 0, 10, 2.5))])"
+    path = cad_file(shaft, tmp_path / "solid.brep")
+    mesh = hexcon.mesh_solid(path, 3.0, surface_method="revolved", local_sizes={"point:2.5,0,20": 0.4})
+    assert mesh.certificate.certified and not faults(mesh.points, mesh.hexes, mesh.surface.quads, mesh.surface.points)
+    assert edges_near(mesh.surface, [2.5, 0, 20], 0.4).max() < 0.8 < edges_near(mesh.surface, [4, 0, 4], 3.0).max() / 2
+    turned = surface_from_solid(path, 3.0, "revolved", per_turn=48)
+    assert any("x 48 round" in note for note in turned.notes)
 
 
 def test_auto_takes_a_method_that_follows(tmp_path):
-    """A plate would be swept; a sweep knows one size only."""
-    path = cad_file(PLATE, tmp_path / "solid.brep")
-    surface = surface_from_solid(path, 4.0, local_sizes={"Edge1": 1.5})
-    assert surface.method == "layered" and any("follows no local sizes" in note for note in surface.notes)
-    for options in ({"local_sizes": {"Edge1": 1.5}}, {"per_turn": 40}):
+    """A cone would be of blocks, which know one size only."""
+    path = cad_file("(3, occ.addCone(0, 0, 0, 0, 0, 8, 5, 2))", tmp_path / "cone.brep")
+    assert surface_from_solid(path, 2.0).method == "sweep"
+    surface = surface_from_solid(path, 2.0, local_sizes={"Edge1": 0.8})
+    assert surface.method == "sweep"
+    path = cad_file("(3, occ.addSphere(0, 0, 0, 5))", tmp_path / "ball.brep")
+    surface = surface_from_solid(path, 2.0, local_sizes={"point:5,0,0": 1.0})
+    assert surface.method == "revolved" and any("follows no local sizes" in note for note in surface.notes)
+    for options in ({"local_sizes": {"point:5,0,0": 1.5}}, {"per_turn": 40}):
         with pytest.raises(ToolError, match="follows no local sizes") as caught:
-            surface_from_solid(path, 4.0, "sweep", **options)
+            surface_from_solid(path, 2.0, "blocks", **options)
         assert caught.value.code is FaultCode.BAD_OPTION
     with pytest.raises(ToolError, match="does not have") as caught:
-        surface_from_solid(path, 4.0, "grid", local_sizes={"Face99": 1.5})
+        surface_from_solid(path, 2.0, "grid", local_sizes={"Face99": 1.5})
     assert caught.value.code is FaultCode.BAD_OPTION
-    assert surface_from_solid(path, 4.0, local_sizes={"Face1": 5.0}).method == "sweep"
+    assert surface_from_solid(path, 2.0, local_sizes={"Face1": 5.0}).method == "blocks"
 
 
 def test_triangles_follow(tmp_path):

@@ -5,6 +5,7 @@ import numpy as np
 from .outline import Outline, even, least_count
 from .plane_mesh import polygon_area
 from .recognise import Column, Sweep
+from .spacing import STATIONS, spacing_of
 
 
 class CapPlane:
@@ -102,13 +103,16 @@ def _aligned(solid, columns):
     return columns
 
 
-def outline_of(solid, sweep, plane, top_plane, size):
-    """The Outline of the lower cap for a mesh size, with the upper cap beside it."""
-    desired, least, turn, direction = [], [], [], []
+def outline_of(solid, sweep, plane, top_plane, field):
+    """The Outline of the lower cap for a SizeField, with the upper cap beside it."""
+    desired, least, turn, direction, spacing = [], [], [], [], []
     for columns in sweep.loops:
         fronts = [front_edges(columns, level)[0] for level in (0, -1)]
         lengths = np.array([[solid.length(e) for e in edges] for edges in fronts])
-        desired.append(lengths.mean(axis=0) / size)
+        desired.append(lengths.mean(axis=0) / field.size)
+        if not field.even:
+            spacing.append([spacing_of(field, [solid.edge_points(e, STATIONS) for e in pair]) for pair in zip(*fronts)])
+            desired[-1] = np.array([own.wanted for own in spacing[-1]]) * lengths.mean(axis=0) / lengths[0]
         least.append(np.array([max(least_count(solid.turning(e), _closed(solid, e)) for e in pair)
                                for pair in zip(*fronts)]))
         out, below = _directions(solid, fronts[0], plane)
@@ -120,7 +124,8 @@ def outline_of(solid, sweep, plane, top_plane, size):
         return lambda shares: [frame.flat(chain_points(solid, front_edges(columns, level)[0], s))
                                for columns, s in zip(sweep.loops, shares)]
 
-    return Outline(desired, least, turn, direction, placed(0, plane), placed(-1, top_plane), size)
+    return Outline(desired, least, turn, direction, placed(0, plane), placed(-1, top_plane), field.size,
+                   spacing or None)
 
 
 def _closed(solid, e):

@@ -7,7 +7,6 @@ import numpy as np
 
 from . import paved
 from .fault import WorkerFault
-from .outline import even
 from .plane.slid import slid
 from .plane_mesh import image
 from .smooth import ANGLES, EVEN, POOR, evenness, merit, optimise, placed, scaled_jacobian
@@ -88,9 +87,9 @@ def _pave(tried, outline, link, label):
 
 def _tried(outline, name, counts, build):
     """[CapMesh] of a template."""
-    shares = even(counts)
+    shares = outline.divided(counts)
     made = build(outline, counts, np.concatenate(outline.place(shares)))
-    if made is None or not name.startswith("lattice"):
+    if made is None or not name.startswith("lattice") or outline.spacing is not None:
         return _valid(outline, name, shares, made)
     tried = []
     for weight in (EVEN, ANGLES):       # where even quads are poor, angles alone may do
@@ -109,7 +108,7 @@ def _paved(outline, road, algorithm, scale):
     counts = plan(outline, scale)
     if any(c is None for c in counts):
         return []
-    shares = even(counts)
+    shares = outline.divided(counts)
     try:
         made = build(outline.place(shares), outline.size / scale, algorithm)
     except Exception as error:      # gmsh raises plain Exception; another road may do

@@ -49,7 +49,8 @@ def within(limit, solid, size, sizes, make, second):
 def _rounder(solid, size, sizes, make, factor, limit, first):
     """(mesh, what is other about it). The second is split on round faces: a grid has no number of quads between."""
     if sizes is None or (first and factor >= EVEN):
-        return make(factor * size, sizes), f"size {factor * size:.3g} instead of {size:g}"
+        smaller = sizes and SizeField(factor * size).joined(sizes)
+        return make(factor * size, smaller), f"size {factor * size:.3g} instead of {size:g}"
     factor = min(factor, EVEN)
     return make(size, sizes.joined(chord_sizes(solid, size, factor, limit))), f"size {factor * size:.3g} on round faces"
 

@@ -48,13 +48,13 @@ _ROWS = (
     SurfaceMethod("auto", "automatic", "the first of the others that can be, in the order of what hexes they lead to",
                   hexes_a_quad=3),
     SurfaceMethod("sweep", "sweep", "solids that go from one cap to another: prisms, pipes, frusta, wedges, bent bars",
-                  "sweep.sweep_surface", turn=1, refusal="NOT_SWEEPABLE", refused="not swept", cavities=False,
+                  "sweep.sweep_surface", ("sizes",), turn=1, refusal="NOT_SWEEPABLE", refused="not swept", cavities=False,
                   leaves_out=True, filled_by="swept"),
     SurfaceMethod("blocks", "blocks", "round solids, and those with three edges at each corner: quads of a few blocks "
                   "of hexes", "blocks.blocks_surface", turn=2, refusal="NOT_BLOCKS", refused="not of blocks",
                   cavities=False, leaves_out=True, filled_by="sheets"),
     SurfaceMethod("revolved", "revolved", "turned parts: bodies of revolution by a full turn, with any profile",
-                  "revolved.surface.revolved_surface", turn=3, refusal="NOT_REVOLVED", refused="not revolved",
+                  "revolved.surface.revolved_surface", ("sizes",), turn=3, refusal="NOT_REVOLVED", refused="not revolved",
                   filled_by="proposal"),
     SurfaceMethod("layered", "layers", "solids whose faces lie across one direction or along it, or are seen from it: "
                   "plates with bosses, pockets, steps, holes", "layered.tries.layered_surface", ("timeout", "care", "sizes"),

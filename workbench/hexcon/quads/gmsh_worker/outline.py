@@ -23,6 +23,7 @@ class Outline:
                  (n,) parts of its length at which its intervals begin, the first 0 (see even)
     place_top    callable: the same for the other cap, in its own plane
     size         wanted edge length
+    spacing      per loop and edge a spacing.Spacing, where sizes differ by place; None: intervals are even
     """
     desired: list
     least: list
@@ -31,6 +32,13 @@ class Outline:
     place: object
     place_top: object
     size: float
+    spacing: "list | None" = None
+
+    def divided(self, counts):
+        """Shares, for counts per loop and edge."""
+        if self.spacing is None:
+            return even(counts)
+        return [[own.stops(n)[:-1] for own, n in zip(loop, c)] for loop, c in zip(self.spacing, counts)]
 
     def corners(self, loop=0):
         """Edge numbers of a loop that start at a corner."""

@@ -6,6 +6,7 @@ from .boundary import chain_points, front_edges
 from .outline import least_count
 from .plane_mesh import coons, grid_quads
 from .smooth import space_quality
+from .spacing import STATIONS, spacing_of
 
 POOR = 0.3      # scaled Jacobian of a wall below which another way to fill it is tried
 
@@ -18,10 +19,11 @@ class Rings:
     after    (Nb,): the next boundary point of the same loop
     """
 
-    def __init__(self, solid, sweep, shares, size):
-        """shares: of the cap's Outline, per loop and edge."""
+    def __init__(self, solid, sweep, shares, field):
+        """shares: of the cap's Outline, per loop and edge; field: SizeField."""
         self.solid, self.sweep = solid, sweep
-        self.stops = _ring_stops(solid, sweep, size)
+        self.rises = _rises(solid, sweep, field)        # per level (n+1,) shares of it at which its rings lie
+        self.stops = [0, *np.cumsum([len(rise) - 1 for rise in self.rises]).tolist()]
         total = sum(len(s) for loop in shares for s in loop)
         self.points = np.full((self.stops[-1] + 1, total, 3), np.nan)
         self.faces = np.zeros((self.stops[-1], total), int)
@@ -38,7 +40,7 @@ class Rings:
         total = sum(map(len, shares))
         self.after[at:at + total] = at + (np.arange(total) + 1) % total
         owner = front_edges(columns, 0)[1]
-        rise = _level_fractions(self.solid, columns, self.stops)
+        rise = _level_fractions(self.solid, columns, self.stops, self.rises)
         first = at
         for k, column in enumerate(columns):
             mine = [s for s, column_of in zip(shares, owner) if column_of == k]
@@ -61,13 +63,12 @@ class Rings:
         """(R+1,3): points up a lateral chain; `rise` are its arc-length fractions per ring if it is one edge."""
         if len(chain) == 1:
             return self.solid.edge_points(chain[0], rise)
-        parts = [self.solid.edge_points(e, np.arange(b - a + 1) / (b - a))
-                 for e, a, b in zip(chain, self.stops[:-1], self.stops[1:])]
+        parts = [self.solid.edge_points(e, rise) for e, rise in zip(chain, self.rises)]
         return np.concatenate([parts[0]] + [p[1:] for p in parts[1:]])
 
     def _fill_blocks(self):
         """Interior points of every side face: transfinite, or by the sweep's own motion, then onto the CAD."""
-        motion = _rigid_motion(self.points, self.sweep)
+        motion = _rigid_motion(self.points, self.rises)
         for face, low, high, ids, edges in self.blocks:
             if len(ids) < 3 or high - low < 2:
                 continue
@@ -115,12 +116,10 @@ class Rings:
 
         def lateral(chain, side):
             if len(column.faces) > 1:
-                rings = self.stops[k + 1] - self.stops[k]
-                return solid.edge_on_face(chain[k], np.arange(rings + 1) / rings, face, side)
+                return solid.edge_on_face(chain[k], self.rises[k], face, side)
             if len(chain) == 1:
                 return solid.edge_on_face(chain[0], rise, face, side)
-            parts = [solid.edge_on_face(e, np.arange(b - a + 1) / (b - a), face, side)
-                     for e, a, b in zip(chain, self.stops[:-1], self.stops[1:])]
+            parts = [solid.edge_on_face(e, own, face, side) for e, own in zip(chain, self.rises)]
             return np.concatenate([parts[0]] + [q[1:] for q in parts[1:]])
 
         def edges():
@@ -148,37 +147,50 @@ def _worst(grid):
     return float(space_quality(grid.reshape(-1, 3), grid_quads(ids)).min())
 
 
-def _ring_stops(solid, sweep, size):
-    """Ring numbers [0, ..., R] at the level boundaries."""
-    lengths = [[] for _ in range(sweep.levels)]
-    least = [1] * sweep.levels
+def _rises(solid, sweep, field):
+    """Per level the shares, from 0 to 1, at which its rings lie."""
+    edges = [[] for _ in range(sweep.levels)]
     for columns in sweep.loops:
         for c in columns:
             if len(c.left) == sweep.levels:
                 for k, e in enumerate(c.left):
-                    lengths[k].append(solid.length(e))
-                    least[k] = max(least[k], least_count(solid.turning(e), False))
-    counts = [max(m, int(np.rint(np.mean(x) / size)), 1) for x, m in zip(lengths, least)]
-    return [0] + [int(s) for s in np.cumsum(counts)]
+                    edges[k].append(e)
+    return [_rise(solid, level, field) for level in edges]
 
 
-def _level_fractions(solid, columns, stops):
+def _rise(solid, edges, field):
+    """Of one level, by all of its lateral edges."""
+    least = max(1, *(least_count(solid.turning(e), False) for e in edges))
+    mean = np.mean([solid.length(e) for e in edges])
+    if field.even:
+        return _even(max(least, int(np.rint(mean / field.size))))
+    own = spacing_of(field, [solid.edge_points(e, STATIONS) for e in edges])
+    return own.stops(max(least, int(np.rint(own.wanted * mean / solid.length(edges[0])))))
+
+
+def _even(count):
+    return np.arange(count + 1) / count
+
+
+def _level_fractions(solid, columns, stops, rises):
     """(R+1,) arc-length fraction of each ring, from the chains that have all levels."""
     rings = np.arange(stops[-1] + 1)
     full = [[solid.length(e) for e in c.left] for c in columns if len(c.left) == len(stops) - 1]
-    if len(stops) == 2 or not full:
+    if len(stops) == 2:
+        return rises[0]
+    if not full:
         return rings / stops[-1]
-    share = np.mean([np.cumsum(f) / np.sum(f) for f in full], axis=0)
-    return np.interp(rings, stops, np.concatenate([[0.0], share]))
+    ends = np.concatenate([[0.0], np.mean([np.cumsum(f) / np.sum(f) for f in full], axis=0)])
+    return np.concatenate([[0.0], *(a + (b - a) * rise[1:] for a, b, rise in zip(ends, ends[1:], rises))])
 
 
-def _rigid_motion(points, sweep):
+def _rigid_motion(points, rises):
     """(R+1,Nb,3): the lower outline turned about an axis (and moved along it), ring by ring.
 
     None unless that gives the upper outline and the lateral edges.
     """
     a, b = points[0], points[-1]
-    rings = len(points) - 1
+    rise = rises[0] if len(rises) == 1 else _even(len(points) - 1)
     ca, cb = a.mean(0), b.mean(0)
     u, _, vt = np.linalg.svd((a - ca).T @ (b - cb))
     turn = vt.T @ np.diag([1.0, 1.0, np.sign(np.linalg.det(vt.T @ u.T))]) @ u.T
@@ -192,8 +204,8 @@ def _rigid_motion(points, sweep):
     centre = np.linalg.lstsq(np.eye(3) - turn, cb - turn @ ca - along, rcond=None)[0]
     known = np.isfinite(points).all(axis=(0, 2))
     for total in (angle, angle - np.copysign(2 * np.pi, angle)):
-        made = np.stack([(a - centre) @ _rotation(axis, total * r / rings).T + centre + along * (r / rings)
-                         for r in range(rings + 1)])
+        made = np.stack([(a - centre) @ _rotation(axis, total * share).T + centre + along * share
+                         for share in rise])
         if np.abs(made[:, known] - points[:, known]).max() < 1e-5 * scale:
             return made
     return None

@@ -6,7 +6,7 @@ rectangular holes.
 """
 import numpy as np
 
-from .outline import balanced, even, rounded
+from .outline import balanced, rounded
 from .plane_mesh import coons, harmonic
 
 # Densities tried in turn until the lattice polygon does not touch itself, and interval counts of the longest edge
@@ -92,7 +92,7 @@ def _lattice(outline, headings, counts):
         paths.append(path[:-1])
         steps.append(step)
     if len(paths) > 1:
-        _place_holes(paths, outline.place(even(counts)))
+        _place_holes(paths, outline.place(outline.divided(counts)))
     low = paths[0].min(axis=0)
     nodes = np.concatenate(paths) - low
     if nodes.min() < 0 or (nodes.max(axis=0) > (paths[0] - low).max(axis=0)).any():

@@ -13,15 +13,15 @@ from .smooth import evenness, scaled_jacobian, space_quality
 FOLDED = 0.01      # scaled Jacobian below which a wall quad counts as folded
 
 
-def sweep_surface(solid, size, link):
-    """dict with points, quads, faces, notes.
+def sweep_surface(solid, size, link, sizes):
+    """dict with points, quads, faces, notes. sizes: SizeField by place, at most `size`.
 
     Raises WorkerFault NOT_SWEEPABLE with the reason.
     """
     reasons = []
     for choice in candidates(solid):
         try:
-            return _sweep(solid, choice, size, link)
+            return _sweep(solid, choice, link, sizes)
         except WorkerFault as fault:
             if fault.code != "NOT_SWEEPABLE":
                 raise
@@ -29,11 +29,11 @@ def sweep_surface(solid, size, link):
     raise WorkerFault("NOT_SWEEPABLE", "no sweep gave valid quads: " + "; ".join(reasons[:3]))
 
 
-def _sweep(solid, choice, size, link):
+def _sweep(solid, choice, link, sizes):
     sweep, plane, top_plane = orient(solid, choice)
-    outline = outline_of(solid, sweep, plane, top_plane, size)
+    outline = outline_of(solid, sweep, plane, top_plane, sizes)
     cap = mesh_cap(outline, link, f"cap Face{sweep.bottom}")
-    rings = Rings(solid, sweep, cap.shares, size)
+    rings = Rings(solid, sweep, cap.shares, sizes)
     total = rings.points.shape[1]
     lower = _on_face(solid, sweep.bottom, plane, cap.points, cap.quads, rings.points[0])
     upper = _on_face(solid, sweep.top, top_plane, cap.top, cap.quads, rings.points[-1])

@@ -13,7 +13,7 @@ from .fault import NotLayered
 from .piece_sizes import PieceSizes
 
 # (part of the size, every piece even, longest interval beside a narrow place, in widths of it)
-ATTEMPTS = ((1.0, False, None), (1.0, True, None), (1.0, False, 3.0), (0.88, True, 2.0), (0.8, False, 1.2))
+ATTEMPTS = ((1.0, False, 3.0), (1.0, True, 3.0), (0.88, True, 2.0), (0.8, False, 1.2), (1.0, False, None))
 CRASHES = 6         # of gmsh, after which it is not asked any more
 PAVED = 2           # attempts that are made again with gmsh, where none is good enough without
 ENOUGH = 0.6        # of what corners allow, in the worst quad: with it no other attempt is made

@@ -8,8 +8,8 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..size_field import SizeField
+from ..spacing import Spacing, length_of
 from .arrangement import OUTSIDE
-from .divisions import OPEN
 from .heights import source_points
 
 STATIONS = 8        # along each size of a piece,
@@ -28,7 +28,7 @@ class PieceSizes:
         self._size, self._shares, self._places, self._own = size, [], [], []
         for c in pieces:
             piece = arrangement.pieces[c]
-            count = int(np.clip(np.ceil(STATIONS * _length(piece.line) / size), FEWEST, MOST))
+            count = int(np.clip(np.ceil(STATIONS * length_of(piece.line) / size), FEWEST, MOST))
             shares = np.arange(count + 1) / count
             self._shares.append(shares)
             self._places.append(piece.at(shares))
@@ -47,36 +47,6 @@ class PieceSizes:
         sizes = np.maximum(widths * np.concatenate(self._widths), NARROWEST * self._size)
         field = SizeField(size, _in_space(np.concatenate(self._places)), np.minimum(sizes, size))
         return lambda k: field(_in_space(self._places[k]))
-
-
-class Spacing:
-    """Along a piece. wanted: number of intervals (float)."""
-
-    def __init__(self, shares, line, sizes):
-        """shares (n,) of its length, evenly from 0 to 1; line (n,2), sizes (n,) there."""
-        self._shares, self._even = shares, bool(np.ptp(sizes) <= 1e-9 * sizes.max())
-        density = _length(line) / sizes
-        if not self._even:      # where it is coarse it may not turn too much
-            density = np.maximum(density, _turning(line) / OPEN)
-        self._sums = np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2 * np.diff(shares))])
-        self.wanted = float(self._sums[-1])
-
-    def stops(self, count):
-        """(count + 1,) shares between which that many intervals lie, each as long as the others beside the sizes."""
-        even = np.arange(count + 1) / count
-        return even if self._even else np.interp(even * self._sums[-1], self._sums, self._shares)
-
-
-def _length(line):
-    return float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
-
-
-def _turning(line):
-    """(n,) radians by which a line of even steps turns there, for all of its length."""
-    way = np.diff(line, axis=0)
-    angle = np.arctan2(way[:, 1], way[:, 0])
-    turn = np.abs((np.diff(angle) + np.pi) % (2 * np.pi) - np.pi)
-    return np.concatenate([turn[:1], turn, turn[-1:]]) * len(way)
 
 
 def _in_space(places):
@@ -111,7 +81,7 @@ def _widths(arrangement, pieces, used, places, size):
 
 
 def _spacing(line):
-    return np.full(len(line), _length(line) / (len(line) - 1))
+    return np.full(len(line), length_of(line) / (len(line) - 1))
 
 
 def _normals(line):

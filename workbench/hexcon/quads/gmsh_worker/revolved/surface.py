@@ -6,6 +6,7 @@ from ..cad_fit import volume_and_area
 from ..cap import mesh_cap
 from ..outline import Outline, least_count
 from ..smooth import evenness
+from ..spacing import STATIONS, spacing_of
 from .axis import Axis, axis_of
 from .bands import bands_of
 from .core import with_cores
@@ -17,13 +18,16 @@ MOST_VOLUME = 0.01      # part by which the volume may differ from the CAD's: ch
 OF_SECTION = 0.4        # of that the section may take, the number round the rest
 REFINEMENTS = 4
 STRAIGHT = 1e-6         # radians
+AROUND = 24             # angles at which local sizes are asked for
+SMALLER = 0.999         # of the size: what is smaller is wanted
 ALONG = 64              # points of a rim that tell which face is where
 FEWEST_ROUND = 8
 
 
-def revolved_surface(solid, size, link):
+def revolved_surface(solid, size, link, sizes):
     """Quads on the solid and hexes inside.
 
+    sizes: SizeField by place, at most `size`
     Returns a dict of points (V,3), quads (n,4), faces (n,), hexes (H,8), joined and notes. Raises WorkerFault
     NOT_REVOLVED with the reason.
     """
@@ -33,9 +37,9 @@ def revolved_surface(solid, size, link):
     axis = _from_meridian(solid, axis, bands)
     section, cores = with_cores(half_section(solid, axis, bands, carriers))
     loops, volume = Loops(section), solid.exact_volume
-    cap, off = _section_mesh(loops, cores, volume, size, link)
+    cap, off = _section_mesh(loops, cores, volume, axis, sizes, link)
     step = 8 if any(core.pointed for core in cores) else 4
-    around = _number_round(solid, axis, size, off, step)
+    around = _number_round(solid, axis, loops, sizes, off, step)
     link.progress("turn", 0.5)
     for left in reversed(range(REFINEMENTS + 1)):   # of the discs, too, which the section does not know
         body = _turned(axis, loops, cores, cap, around)
@@ -59,12 +63,12 @@ def _from_meridian(solid, axis, bands):
     return axis
 
 
-def _section_mesh(loops, cores, volume, size, link):
+def _section_mesh(loops, cores, volume, axis, sizes, link):
     """(CapMesh of the section, part by which the volume of its polygon turned round is off)."""
     least = [np.array([least_count(c.turning, len(loop) == 1) if c.turning > STRAIGHT else 1 for _, c in loop])
              for loop in loops.loops]
     for _ in range(REFINEMENTS):
-        cap = mesh_cap(_outline(loops, size, least), link, "section")
+        cap = mesh_cap(_outline(loops, axis, sizes, least), link, "section")
         off = loops.volume(cap.shares, cores) / volume - 1.0
         finer = 1.02 * np.sqrt(abs(off) / (OF_SECTION * MOST_VOLUME))
         if finer <= 1.02:
@@ -74,20 +78,30 @@ def _section_mesh(loops, cores, volume, size, link):
     return cap, off
 
 
-def _outline(loops, size, least):
-    desired, turn, direction = [], [], []
+def _outline(loops, axis, sizes, least):
+    desired, turn, direction, spacing = [], [], [], []
     for loop in loops.loops:
-        desired.append(np.array([c.length / size for _, c in loop]))
+        desired.append(np.array([c.length / sizes.size for _, c in loop]))
+        if not sizes.even:
+            spacing.append([spacing_of(sizes, _round(axis, c)) for _, c in loop])
+            desired[-1] = np.array([own.wanted for own in spacing[-1]])
         out = np.array([c.tangent() for _, c in loop])
         into = np.array([c.tangent(at_end=True) for _, c in loop[-1:] + loop[:-1]])
         heading, before = (np.arctan2(d[:, 1], d[:, 0]) for d in (out, into))
         turn.append((heading - before + np.pi) % (2 * np.pi) - np.pi)
         direction.append(heading)
-    return Outline(desired, least, turn, direction, loops.place, loops.place, size)
+    return Outline(desired, least, turn, direction, loops.place, loops.place, sizes.size, spacing or None)
 
 
-def _number_round(solid, axis, size, off, step):
-    """A multiple of step: from the mean radius of the faces, and more where the chords would cut too much.
+def _round(axis, curve):
+    """[(n,3)] stations of a curve at several angles."""
+    flat = curve.at(STATIONS)
+    return [axis.place(flat, angle) for angle in 2 * np.pi * np.arange(AROUND) / AROUND]
+
+
+def _number_round(solid, axis, loops, sizes, off, step):
+    """A multiple of step: from the mean radius of the faces, as local sizes want it, and more where chords would cut
+    too much.
 
     off: what the section has of the volume's fault already; where that is all that there may be, no number helps
     """
@@ -95,7 +109,12 @@ def _number_round(solid, axis, size, off, step):
     for face in solid.faces:
         area = solid.area(face)
         moment += area, area * _mean_radius(solid, axis, face)
-    wanted = 2 * np.pi * moment[1] / moment[0] / size
+    wanted = 2 * np.pi * moment[1] / moment[0] / sizes.size
+    if not sizes.even:
+        curves = [c for loop in loops.loops for _, c in loop if c.band >= 0]
+        local = [2 * np.pi * c.at(STATIONS)[:, 0] / (size := sizes(places)) * (size < SMALLER * sizes.size)
+                 for c in curves for places in _round(axis, c)]
+        wanted = max(wanted, float(np.max(local)))
     count = step * max(int(np.rint(wanted / step)), int(np.ceil(FEWEST_ROUND / step)))
     while abs(off) < MOST_VOLUME < abs((1.0 + off) * np.sin(2 * np.pi / count) / (2 * np.pi / count) - 1.0):
         count += step
