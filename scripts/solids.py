@@ -5,10 +5,10 @@
                                                    [--limit 200] [--timeout 120] [--result output/solids.jsonl]
                                                    [--match PART_OF_NAME] [--diagonal 15]
 
-The size of each is sqrt(area / quads), or that part of the diagonal of its bounding box. Every file is meshed in a process
-of its own, with a limit of processor time. What is called certified is judged once more by tests/python/mesh_checker.py,
-which shares no code with the core. A line of the result file is kept: a run that was stopped goes on where it was; remove
-the file to measure anew.
+The size of each is sqrt(area / quads), or that part of the diagonal of its bounding box. Every file is meshed in a
+process of its own, with a limit of processor time. What is called certified is judged once more by
+tests/python/mesh_checker.py, which shares no code with the core. A line of the result file is kept: a run that was
+stopped goes on where it was; remove the file to measure anew.
 """
 import argparse
 import json
