@@ -6,6 +6,7 @@ from grid_voxels import VoxelModel, captured_faults, euler_of_hexes, hexes_of, r
 
 from hexcon.quads.gmsh_worker.grid.capture import capture
 from hexcon.quads.gmsh_worker.grid.captured import NotCaptured
+from hexcon.quads.gmsh_worker.grid.chords import chords
 from hexcon.quads.gmsh_worker.grid.sheet_plan import Groups, demands, sheeted
 from hexcon.quads.gmsh_worker.grid.sheets import Pinched, insert, round_patch, under_patches
 from hexcon.quads.gmsh_worker.grid.skin import Skin
@@ -137,3 +138,39 @@ def _notched(points, hexes, rng):
     """Without one hex that has two quads."""
     skin = Skin(points, hexes)
     return np.delete(hexes, rng.choice(np.flatnonzero(np.bincount(skin.under, minlength=len(hexes)) == 2)), axis=0)
+
+
+def test_no_chords_are_left():
+    """In a notch's corner three quads of one patch meet, and a face inside has two of their edges."""
+    rng, found = np.random.default_rng(4), 0
+    for _ in range(12):
+        model = VoxelModel(cubes := random_cubes(rng))
+        points, hexes = hexes_of(cubes, 3)
+        try:
+            mesh = capture(model, points, _notched(points, hexes, rng))
+        except NotCaptured:
+            continue
+        told = {tuple(one) for one in np.column_stack(chords(mesh)).tolist()}
+        assert told == _chords_by_hand(mesh)
+        found += len(told)
+        new, angles = sheeted(mesh, model)[0], Groups(model).corner_angle
+        for _, v, p in np.column_stack(chords(new)).tolist():      # none, but along the floor's plane under a step
+            assert angles[int(new.corner_of_vertex[v]), p] > 269.0
+    assert found
+
+
+def _chords_by_hand(mesh):
+    """{(hex, vertex, patch)}: of corners of hexes with two edges on one patch that are no quad's corner."""
+    sides, corners, out = {}, set(), set()
+    for quad, p in zip(mesh.quads.tolist(), mesh.patch.tolist()):
+        for k in range(4):
+            sides.setdefault(frozenset((quad[k], quad[k - 1])), set()).add(p)
+            corners.add((quad[k], frozenset((quad[k - 1], quad[k - 3]))))
+    for row, h in enumerate(mesh.hexes.tolist()):
+        for a, b, c in ((0, 1, 3), (0, 1, 4), (0, 3, 4), (1, 0, 2), (1, 0, 5), (1, 2, 5), (2, 1, 3), (2, 1, 6),
+                        (2, 3, 6), (3, 0, 2), (3, 0, 7), (3, 2, 7), (4, 5, 7), (4, 0, 5), (4, 0, 7), (5, 4, 6),
+                        (5, 1, 4), (5, 1, 6), (6, 5, 7), (6, 2, 5), (6, 2, 7), (7, 4, 6), (7, 3, 4), (7, 3, 6)):
+            common = sides.get(frozenset((h[a], h[b])), set()) & sides.get(frozenset((h[a], h[c])), set())
+            if common and (h[a], frozenset((h[b], h[c]))) not in corners:
+                out |= {(row, h[a], p) for p in common}
+    return out

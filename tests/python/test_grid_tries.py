@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from hexcon.quads import surface_from_solid
-from hexcon.quads.gmsh_worker.grid import overlay, routes, tries
+from hexcon.quads.gmsh_worker.grid import overlay, routes, sheet_plan, tries
 from hexcon.quads.gmsh_worker.grid.captured import NotCaptured
+from hexcon.quads.gmsh_worker.grid.spread_patches import spread
 
 
 class Link:
@@ -114,3 +115,36 @@ def test_what_is_too_narrow_for_the_elements_is_split_there(features):
     assert any("no paths that do not meet" in note for note in mesh["notes"])
     assert "split 1 times" in mesh["notes"][0] and len(link.kept) == 1
     assert len(mesh["hexes"]) < 400
+
+
+def test_a_straight_corner_between_two_curves_gets_two_quads(features, monkeypatch):
+    """A box whose front leans back below one half of its upper edge: the top has a corner of 180 degrees there."""
+    def leaning(occ):
+        corners = [occ.addPoint(2, *at) for at in ((0, 4), (0, 0), (1.5, 0))]
+        face = occ.addPlaneSurface([occ.addCurveLoop([occ.addLine(a, b) for a, b in
+                                                      zip(corners, corners[1:] + corners[:1])])])
+        occ.cut([(3, occ.addBox(0, 0, 0, 4, 4, 4))], [one for one in occ.extrude([(2, face)], 2, 0, 0) if one[0] == 3])
+    found = features(leaning, 1.0)
+    one = overlay.overlay(found, 1.0, overlay.Work())
+    assert one.good and one.quality.min > 0.2
+    monkeypatch.setattr(sheet_plan, "STRAIGHT_CORNER", 360.0)
+    assert not overlay.overlay(found, 1.0, overlay.Work()).good
+
+
+def test_folded_quads_of_a_patch_are_spread_out(features):
+    """Points of a plane patch with a hole in it, put beyond its border: no quad is folded afterwards; others stay."""
+    found = features(blind, 1.0)
+    mesh, most = overlay._captured(found, 1.0, overlay.Work(), lambda stage, fraction: None, 0)
+    mesh = sheet_plan.sheeted(mesh, most)[0]
+    sliding = overlay.Sliding(mesh, most)
+    start = overlay.placed(mesh, most, sliding)
+    top = next(p for p, patch in enumerate(most.patches) if np.allclose(patch.project([[0, 0, 4]])[0], [0, 0, 4])
+               and patch.euler == 0)
+    rows = np.flatnonzero(sliding.carrier_of_point == len(most.curves) + top)
+    start[rows, 0] += 1.5      # into the hole
+    points = spread(mesh, most, sliding, start)
+    others = np.setdiff1d(np.arange(len(points)), sliding.on_patch())
+    assert np.array_equal(points[others], sliding.project(start)[others]) and np.allclose(points[rows, 2], 4.0)
+    quads = points[mesh.quads[mesh.patch == top]][:, :, :2]
+    ahead, back = np.roll(quads, -1, axis=1) - quads, np.roll(quads, 1, axis=1) - quads
+    assert (np.cross(ahead, back) > 0.0).all()

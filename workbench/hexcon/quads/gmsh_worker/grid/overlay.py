@@ -16,16 +16,18 @@ from .gaps import gaps_of
 from .gate import Kept, kept
 from .grid_levels import balanced_levels, padded
 from .hex_neighbours import HexNeighbours
-from .placement import STRUCTURED, placed
+from .placement import STRUCTURED, evened_inside, placed
 from .planes import planes_of
 from .refined_grid import refined_grid
 from .sheet_plan import sheeted
 from .sheets import Pinched
 from .sliding import Sliding
 from .solid_rays import SolidRays
+from .spread_patches import spread
 from .tensor_grid import grid_hexes
 
 MOST_CELLS = 3_000_000      # of a grid: what fits into a gigabyte
+FLAT = 1e-4             # least scaled Jacobian of what is no flat corner
 GOOD = 0.2              # least scaled Jacobian with which nothing else is tried,
 ENOUGH = 0.3            # and above which what counts is the mean
 MOST_REFINED = 200_000      # and of one whose cells are split
@@ -52,8 +54,8 @@ class Overlay:
 
     @property
     def good(self):
-        """Whether it may be handed on."""
-        return self.certificate.certified and not self.kept.faults
+        """Whether it may be handed on: not either where rounding alone makes a flat corner positive."""
+        return self.certificate.certified and self.quality.min > FLAT and not self.kept.faults
 
     @property
     def rank(self):
@@ -86,7 +88,7 @@ def overlay(features, h, work, report=lambda stage, fraction: None, levels=0, si
     best = None
     report("sheets", 0.0)
     for mesh in _with_sheets(captured, features):
-        found = _filled(mesh, features, h, work, report)
+        found = _filled(mesh, features, h, work, report, best is not None and best.good)
         if best is None or found.rank > best.rank:
             best = found
         if best.good and best.quality.min > GOOD:
@@ -105,6 +107,8 @@ def _with_sheets(captured, features):
             pinched = str(fault)
     if not found:
         raise NotCaptured("sheet", pinched)
+    if np.array_equal(found[0].hexes, found[-1].hexes):
+        return found[:1]
     if len(found[0].hexes) > MANY_SHEETS * len(found[-1].hexes):
         found.reverse()
     return found
@@ -118,14 +122,17 @@ def finished(draft, h, report=lambda stage, fraction: None):
     return _judged(draft.mesh, draft.features, points, sliding, h)
 
 
-def _filled(mesh, features, h, work, report):
-    """The Overlay of a captured mesh with sheets. It is polished where nothing is folded and hardly any quads cross."""
+def _filled(mesh, features, h, work, report, content=False):
+    """The Overlay of a captured mesh with sheets. It is polished where nothing is folded and hardly any quads cross.
+
+    content: whether there is another that may be handed on, so that a folded one is not worth the time
+    """
     work.hexes += len(mesh.hexes)
     report("slide", 0.0)
     sliding = Sliding(mesh, features)
     points, fine = _in_place(mesh, features, sliding)
     found = _judged(mesh, features, points, sliding, h)
-    if fine or found.folded > 1 or len(found.certificate.crossings) > MOST_CROSSINGS:
+    if fine or found.folded > (0 if content else 1) or len(found.certificate.crossings) > MOST_CROSSINGS:
         return found
     for polish in (sliding.polished, sliding.relax):
         shiny = _judged(mesh, features, polish(points, passes=PASSES, mean_passes=MEAN_PASSES, threads=1), sliding, h)
@@ -210,16 +217,24 @@ def _in_place(mesh, features, sliding):
     start = placed(mesh, features, sliding)
     if hn.quality(start, mesh.hexes).min >= STRUCTURED:
         return start, True
-    return _unfolded(sliding.relax(start, (True,), threads=1), mesh, sliding), False
+    points = sliding.relax_inside(evened_inside(mesh, spread(mesh, features, sliding, start)), threads=1)
+    points = sliding.relax(points, (True,), threads=1)
+    return _unfolded(points, mesh, sliding), False
+
+
+def _folded(points, mesh):
+    return hn.quality(points, mesh.hexes).scaled_jacobian <= 0.0
 
 
 def _unfolded(points, mesh, sliding):
     """Points with passes over hexes that are folded still, if those are few: points of curves are held at first, then
-    those near folded hexes slide."""
+    those near folded hexes slide. After one that brings nothing none is made."""
+    before = few(mesh) + 1
     for number, options in enumerate(({"passes": FEW_PASSES}, {}, {"passes": FEW_PASSES})):
-        bad = hn.quality(points, mesh.hexes).scaled_jacobian <= 0.0
-        if not 0 < np.count_nonzero(bad) <= few(mesh):
+        bad = _folded(points, mesh)
+        if not 0 < np.count_nonzero(bad) < before:
             break
+        before = np.count_nonzero(bad)
         touched = np.zeros(len(points), bool)
         touched[mesh.hexes[bad]] = True
         touched[mesh.hexes[touched[mesh.hexes].any(axis=1)]] = True

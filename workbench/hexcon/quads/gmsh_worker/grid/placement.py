@@ -30,7 +30,12 @@ def placed(mesh, features, sliding):
     for _ in range(ROUNDS):
         points[rows] = 0.5 * points[rows] + 0.5 * (surface @ points)
         points = sliding.project(points)
-    inner = np.ones(len(points), bool)
+    return evened_inside(mesh, points)
+
+
+def evened_inside(mesh, points):
+    """(P,3) points with those inside in the middle of their neighbours, about."""
+    points, inner = points.copy(), np.ones(len(points), bool)
     inner[mesh.quads] = False
     volume = _averaging(mesh.hexes[:, EDGES].reshape(-1, 2), len(points))[inner]
     for _ in range(4 * ROUNDS):

@@ -10,18 +10,23 @@ Needed is a sheet under a group
  - where an edge inside a patch, or on a flat curve, has not two hexes, or one on a concave curve has one;
  - where a quad across a convex curve has a flat corner, for want of a strip; and round a patch where such a quad
    is at a flat or concave curve: a ring, or where a ring would meet itself, a tape along the curve.
+What no placement unfolds even then is mended last: straight corners between convex curves, by a sheet on their other
+sides alone, and faces inside with two edges on one patch (chords), by another sheet under it.
 """
 from collections import Counter
 from dataclasses import dataclass, field
 
 import numpy as np
 
+from .chords import chords
 from .sheets import Pinched, along_curve, insert, round_patch
 
 CONVEX, CONCAVE = 140.0, 220.0      # interior dihedral angles in degrees
 FLAT_CORNER = 150.0                 # a quad's corner between two curves, in degrees
+STRAIGHT_CORNER = 175.0             # with more, no placement will do
 PASSES = 5                          # of sheets under groups
 RINGS = 3                           # passes of rings
+MENDED = 2                          # passes of sheets under patches with chords, which other sheets have left
 
 
 class Groups:
@@ -118,19 +123,30 @@ def _ask_edges(mesh, groups, found):
 
 
 def _ask_corners(mesh, groups, found):
-    h = np.arange(4 * len(mesh.quads))
-    before = np.where(h % 4, h - 1, h + 3)
-    c1, c2 = mesh.curve_of_half_edge[before], mesh.curve_of_half_edge[h]
-    for at in np.flatnonzero((c1 >= 0) & (c2 >= 0)).tolist():
-        p, k = int(mesh.patch[at // 4]), int(mesh.corner_of_vertex[mesh.half_edges.tail[at]])
-        if (c1[at] != c2[at] and k < 0) or (k >= 0 and groups.corner_angle.get((k, p), 90.0) < FLAT_CORNER):
-            continue
+    for p, _, *curves in flat_corners(mesh, groups):
         found.why["a quad with a flat corner on a curve"] += 1
-        for c in {int(c1[at]), int(c2[at])}:
+        for c in set(curves):
             if groups.kind[c] == "convex" and groups.of_patch[groups.across(c, p)] != groups.of_patch[p]:
                 found.across.add((c, p))
             else:
                 found.rings.add(p)
+
+
+def flat_corners(mesh, groups):
+    """[(patch, angle in degrees, curve, curve)] of each quad's corner of FLAT_CORNER or more between two edges on
+    curves; one curve that goes on counts as 180."""
+    h = np.arange(4 * len(mesh.quads))
+    before = np.where(h % 4, h - 1, h + 3)
+    c1, c2 = mesh.curve_of_half_edge[before], mesh.curve_of_half_edge[h]
+    found = []
+    for at in np.flatnonzero((c1 >= 0) & (c2 >= 0)).tolist():
+        p, k = int(mesh.patch[at // 4]), int(mesh.corner_of_vertex[mesh.half_edges.tail[at]])
+        if c1[at] != c2[at] and k < 0:
+            continue
+        angle = groups.corner_angle.get((k, p), 90.0) if k >= 0 else 180.0
+        if angle >= FLAT_CORNER:
+            found.append((p, angle, int(c1[at]), int(c2[at])))
+    return found
 
 
 def sheeted(mesh, model, inside=True):
@@ -145,13 +161,16 @@ def sheeted(mesh, model, inside=True):
     for _ in range(RINGS):
         if not plan.put_rings():
             break
+    for _ in range(MENDED):
+        if not plan.put_strips() | plan.put_under_chords():
+            break
     return plan.mesh, plan.count
 
 
 class _Plan:
     def __init__(self, mesh, model, groups):
         self.mesh, self.model, self.groups = mesh, model, groups
-        self.count, self.done, self.ringed = Counter(), set(), set()
+        self.count, self.done, self.ringed, self.parted = Counter(), set(), set(), set()
 
     def put_groups(self):
         """Whether any sheet went under a group that had none."""
@@ -181,10 +200,13 @@ class _Plan:
             out.append(one)
         return out
 
-    def _put_under(self, patches):
-        """A sheet under patches, and those that have to be taken in with them."""
+    def _put_under(self, patches, without=frozenset()):
+        """A sheet under patches, and those that have to be taken in with them. Raises Pinched where that needs one of
+        `without`."""
         while True:
-            patches = self._fitting(patches)
+            patches = self._fitting(patches, without)
+            if patches & without:
+                raise Pinched(f"a sheet beside patches {sorted(without)} would go under them too", np.zeros(3))
             behind = self._behind(patches)
             in_the_way = self._in_the_way(patches, behind)
             if in_the_way:
@@ -223,9 +245,10 @@ class _Plan:
         pulled[self.mesh.under[np.isin(self.mesh.patch, list(behind))]] = False
         return insert(self.mesh, pulled, np.isin(self.mesh.patch, list(patches)))
 
-    def _fitting(self, patches):
+    def _fitting(self, patches, without=frozenset()):
         """Patches with those that must be taken in: at a corner they must be one fan, with those behind, and leave at
-        most one curve uncovered, or two curves would be squeezed into one. Over the flattest curve."""
+        most one curve uncovered, or two curves would be squeezed into one. Over the flattest curve, but rather not
+        one of `without`."""
         while True:
             covered = patches | self._behind(patches)
             k = next((k for k in range(len(self.model.corners)) if not self._fits(covered, k)), None)
@@ -234,12 +257,43 @@ class _Plan:
             ends = [c for c in self.groups.ends[k] if (c.left in patches) != (c.right in patches)]
             if not ends:
                 return patches
-            c = min(ends, key=lambda c: abs(c.angle - 180.0))
+            c = min(ends, key=lambda c: (bool({c.left, c.right} & without), abs(c.angle - 180.0)))
             patches = patches | self._whole({c.left, c.right})
 
     def _fits(self, patches, k):
         inside = [(c.left in patches) + (c.right in patches) for c in self.groups.ends[k]]
         return not any(inside) or (inside.count(1) in (0, 2) and inside.count(0) <= 1)
+
+    def put_strips(self):
+        """Whether quads with straight corners between convex curves were parted: by a sheet under all that is across
+        these curves, but not under the quads' own patch."""
+        before, across = self.mesh, {}
+        for p, angle, *curves in flat_corners(self.mesh, self.groups):
+            if angle > STRAIGHT_CORNER and {self.groups.kind[c] for c in curves} == {"convex"} and p not in self.parted:
+                across.setdefault(p, set()).update(self.groups.across(c, p) for c in curves)
+        for p, others in sorted(across.items()):
+            self.parted.add(p)
+            try:
+                self._put_under(self._whole(others), self._whole({p}))
+                self.count["strips"] += 1
+            except Pinched:
+                self.count["pinched"] += 1
+        return self.mesh is not before
+
+    def put_under_chords(self):
+        """Whether any sheet went under a group with chords, whether it has one or not: then it has none, but at its
+        border."""
+        before, (_, vertices, patches) = self.mesh, chords(self.mesh)
+        corners = self.mesh.corner_of_vertex[vertices]
+        patches = {p for k, p in zip(corners.tolist(), patches.tolist())
+                   if self.groups.corner_angle.get((k, p), 0.0) < STRAIGHT_CORNER}
+        for group in sorted({int(self.groups.of_patch[p]) for p in patches}):
+            try:
+                self._put_under(self.groups.patches(group))
+                self.count["mended"] += 1
+            except Pinched:
+                self.count["pinched"] += 1
+        return self.mesh is not before
 
     def put_rings(self):
         """Whether a ring or tape went round a patch that had none."""

@@ -74,11 +74,19 @@ class Sliding:
         return self._relaxed(self.project(points), carriers, options)
 
     def _relaxed(self, points, carriers, options):
+        return self.project(self.relaxed_hexes(points, self._hexes, carriers, **options))
+
+    @property
+    def carriers(self):
+        """hexcon_native.Carrier of each row: curves first, then patches."""
+        return self._on.rows
+
+    def relaxed_hexes(self, points, hexes, carriers, more=(), **options):
+        """hexcon_native.relax of any hexes whose points lie on these carriers, or on more of them."""
         if self._fast is None:
             self._fast = self._on.relaxed_on()
         rows, facets = self._fast
-        return self.project(hn.relax(points, self._hexes, carriers, rows, project=self._on.project, facets=facets,
-                                     **options))
+        return hn.relax(points, hexes, carriers, [*rows, *more], project=self._on.project, facets=facets, **options)
 
     def on_patch(self):
         """(n,) points that slide on patches."""
@@ -89,6 +97,10 @@ class Sliding:
         points = points.copy()
         points[self.corner_vertex] = self._corners
         return hn.project_points(points, self.carrier_of_point, self._on.rows, project=self._on.project)[0]
+
+    def relax_inside(self, points, **options):
+        """hexcon_native.relax with the whole boundary held."""
+        return self._relaxed(points, np.where(self.carrier_of_point >= 0, STAYS, self.carrier_of_point), options)
 
     def relax(self, points, curves_held=(True, False), **options):
         """hexcon_native.relax of these points, once for each of `curves_held`: whether points of curves are held, all
