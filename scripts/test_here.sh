@@ -12,7 +12,8 @@ cmake -S hexcon_native -B build/tested -G Ninja -DHEXCON_WERROR=ON -DHEXCON_TEST
 ninja -C build/tested --quiet
 ctest --test-dir build/tested --parallel 2 --output-on-failure
 status=0
-PYTHONPATH=.:workbench "$python" -m pytest -q -p no:cacheprovider -n 2 "$@" >build/tested.log 2>&1 || status=$?
+PYTHONPATH=.:workbench timeout "${HEXCON_CURRENT_LIMIT:-0}" "$python" -m pytest -q -p no:cacheprovider -n 2 "$@" >build/tested.log 2>&1 || status=$?
 cat build/tested.log
+[ "$status" != 124 ] || echo "test-current: ended after $HEXCON_CURRENT_LIMIT seconds (HEXCON_CURRENT_LIMIT)"
 echo "test-current: $(cat build/versions): $(tail -1 build/tested.log)"
 exit $status

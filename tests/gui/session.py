@@ -80,6 +80,45 @@ def open_panel(command):
     wait(lambda: find(QtGui.QLabel, "result"), f"the panel of {command}")
 
 
+def displacements_by_clicks():
+    """From an empty FreeCAD to displacements of the bracket, each click one of the user's; the document."""
+    for name in list(FreeCAD.listDocuments()):
+        FreeCAD.closeDocument(name)
+    clicks = 2                                               # the list of workbenches, HexCon
+    FreeCADGui.runCommand("HexCon_Example_bracket")
+    clicks += 2                                              # the arrow of Examples, Bracket
+    doc = FreeCAD.ActiveDocument
+    open_panel("HexCon_MeshSolid")
+    clicks += 1
+    button("mesh").click()
+    clicks += 1
+    wait(lambda: doc.getObject("HexMesh") and button("mesh").isEnabled() and words(), "the mesh")
+    button("solve").click()
+    clicks += 1
+    wait(lambda: button("run"), "the panel of loads")
+    picture("loads.png")
+    faces = doc.Bracket.Shape.Faces
+    low = min(range(len(faces)), key=lambda k: faces[k].CenterOfMass.z)
+    high = max(range(len(faces)), key=lambda k: faces[k].CenterOfMass.z)
+    FreeCADGui.Selection.addSelection(doc.Name, "Bracket", f"Face{low + 1}")
+    clicks += 1
+    button("loaded").click()
+    clicks += 1
+    FreeCADGui.Selection.addSelection(doc.Name, "Bracket", f"Face{high + 1}")
+    clicks += 1
+    assert find(QtGui.QLabel, "held_faces").text() == f"Face{low + 1}"
+    assert find(QtGui.QLabel, "loaded_faces").text() == f"Face{high + 1}"
+    axis = find(QtGui.QComboBox, "axis")
+    button("run").click()
+    clicks += 1
+    wait(words, "CalculiX")
+    assert "Solved" in words(), words()
+    say(words(), clicks, "clicks", axis.currentText())
+    picture("solved.png")
+    assert clicks <= 12
+    return doc
+
+
 def close_panel():
     box = FreeCADGui.getMainWindow().findChild(QtGui.QDialogButtonBox)
     box.button(QtGui.QDialogButtonBox.Close).click()
