@@ -1237,6 +1237,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>layers round the boxes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>all hexes</source>
         <translation type="unfinished"></translation>
     </message>

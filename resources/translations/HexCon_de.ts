@@ -1237,6 +1237,14 @@
         <translation>Inneres der Polster</translation>
     </message>
     <message>
+        <source>layers round the boxes</source>
+        <translation>Lagen um die Kästen</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>Kasten</translation>
+    </message>
+    <message>
         <source>all hexes</source>
         <translation>alle Hexaeder</translation>
     </message>

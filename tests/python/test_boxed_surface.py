@@ -7,6 +7,7 @@ from mesh_checker import enclosed, faults
 
 import hexcon
 from hexcon.errors import FaultCode, ToolError
+from hexcon.inspection.stages import stages_of
 from hexcon.quads import surface_from_solid
 from hexcon.quads.gmsh_worker.boxed import whole
 from hexcon.quads.gmsh_worker.boxed.box import intervals
@@ -53,6 +54,12 @@ def test_solids(tmp_path, name):
     assert mesh.quality.min > worst and mesh.quality.mean > mean
     assert exact is None or abs(enclosed(surface) / exact - 1.0) < 0.01
     assert any(note.startswith(f"boxed along {direction or ''}") and " 1 box" in note for note in surface.notes)
+    (layers, _), (box, in_box) = stages_of(mesh)
+    assert (layers, box) == ("layers round the boxes", "box 1")
+    places = mesh.points[mesh.hexes]
+    low, high = places[in_box].min(axis=(0, 1)), places[in_box].max(axis=(0, 1))
+    others = np.delete(places.mean(axis=1), in_box, axis=0)
+    assert ((others > low) & (others < high)).all(axis=1).mean() < 0.05     # the seam is bent a little
 
 
 def test_auto_takes_boxes_before_the_grid(tmp_path):

@@ -50,6 +50,8 @@ RESULTS = {
         "faces": Array("i", ("quads",), 1), "off_cad": Array("f", ("points",), finite=False),
         "cad_gap": Array("f", ("points",)), "tolerance": Array("f", (), 0), "method": Array("s"),
         "notes": Array("s", ("notes",)), "hexes": Array("i", ("hexes", 8), 0, optional=True),
+        "piece_names": Array("s", ("pieces",), optional=True),
+        "piece_hexes": Array("i", ("pieces",), 0, optional=True),
         "fit": Array("f", (6,), optional=True), "lost_faces": Array("i", ("lost faces",), 1, optional=True),
         "lost_edges": Array("i", ("lost edges",), 1, optional=True)},
     "smoothing_worker": {

@@ -35,7 +35,10 @@ AROUND = {
 STAGES = {**AROUND, **hexcon_native.STAGES}
 """name: words, of all stages that a progress callback may be told of."""
 
-HEX_STAGES = {**hexcon_native.HEX_STAGES, ALL: "all hexes"}
+# Of surface methods that propose hexes; several are numbered.
+PIECES = {"layers round the boxes": "layers round the boxes", "box": "box"}
+
+HEX_STAGES = {**hexcon_native.HEX_STAGES, **PIECES, ALL: "all hexes"}
 """name: words, of the stages that put hexes in."""
 
 FIGURES = ("{inverted} of {hexes} hexes inverted", "{hexes} hexes", "{hexes} hexes, worst scaled Jacobian {worst}")

@@ -168,8 +168,8 @@ class Strategy:
         refused = []
         if surface.hexes is not None and self._is_free():
             try:
-                return self._filled(surface, "proposal", progress, deadline, hexes=surface.hexes,
-                                    allow_uncertified=False)
+                return _naming_pieces(self._filled(surface, "proposal", progress, deadline, hexes=surface.hexes,
+                                                   allow_uncertified=False), surface.pieces)
             except HexconError as fault:
                 if fault.code in _ENDS_ALL:
                     raise
@@ -210,6 +210,13 @@ class Strategy:
         if surface.fit is not None:
             mesh.report["fit"] = surface.fit.as_dict()
         return mesh
+
+
+def _naming_pieces(mesh, pieces):
+    """The mesh, its report telling of the pieces as of stages, unless it has stages of its own: a pillow, say."""
+    if sum(count for _, count in pieces) == len(mesh.hexes) and not any(k.startswith("hexes of") for k in mesh.report):
+        mesh.report.update({f"hexes of {name}": count for name, count in pieces})
+    return mesh
 
 
 def _is_diced_first(surface):

@@ -71,7 +71,15 @@ def surface_from_solid(shape_or_file, size, method="auto", *, local_sizes=(), pe
     fit = fit_of(found, face_numbers)
     notes += fit.notes(volume_error or VOLUME_ERROR) if fit else []
     return replace(finished(found["points"], found["quads"], faces, str(found["method"]), notes, found.get("hexes")),
-                   size=float(size), fit=fit)
+                   size=float(size), fit=fit, pieces=_pieces_of(found))
+
+
+def _pieces_of(found):
+    """QuadSurface.pieces; of an answer that has none, or whose counts are not of its hexes: ()."""
+    counts = found.get("piece_hexes", np.zeros(0, np.int64)).tolist()
+    if not counts or "hexes" not in found or sum(counts) != len(found["hexes"]):
+        return ()
+    return tuple(zip((str(name) for name in found["piece_names"]), counts))
 
 
 def _check_options(size, method, timeout, per_turn, volume_error):

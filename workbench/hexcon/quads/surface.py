@@ -24,6 +24,7 @@ class QuadSurface:
     tried         how many surfaces of meshing.strategy.TRIES were tried before this one
     hexes         None, or a proposal as hexcon_native.mesh takes it: the hexes that the method has in mind inside the
                   quads, (H,8) int64, or (places of the points inside, hexes)
+    pieces        ((name, how many), ...) of what those hexes are made of, one after the other; () where none are told
     quad_groups   {name: rows of quads} that the surface was given with, beside CAD faces; they may overlap
     node_groups   {name: rows of points}
     middles       None, or (ends (k,2), places (k,3)) of the curved edges of 8-node quads that it was given with
@@ -41,6 +42,7 @@ class QuadSurface:
     node_groups: dict = field(default_factory=dict)
     middles: "tuple | None" = None
     fit: Fit | None = None
+    pieces: tuple = ()
 
 
 def edges_of(quads):

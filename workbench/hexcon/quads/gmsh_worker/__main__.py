@@ -97,7 +97,14 @@ def _arrays(solid, mesh, size, method, notes):
     off, gaps = distances(solid, mesh, size)
     return {"points": mesh["points"], "quads": mesh["quads"], "faces": mesh["faces"], "off_cad": off,
             "cad_gap": gaps, "tolerance": solid.tolerance, "method": method, "notes": np.array(notes, dtype=str),
-            **cad_fit(solid, mesh), **{name: mesh[name] for name in ("hexes",) if name in mesh}}
+            **cad_fit(solid, mesh), **{name: mesh[name] for name in ("hexes",) if name in mesh}, **_pieces(mesh)}
+
+
+def _pieces(mesh):
+    """The arrays of what the hexes are made of, where the method tells."""
+    pieces = mesh.get("pieces", ())
+    return {"piece_names": np.array([name for name, _ in pieces], dtype=str),
+            "piece_hexes": np.array([count for _, count in pieces], np.int64)} if pieces else {}
 
 
 sys.exit(session.run(sys.argv[1], _run))

@@ -24,9 +24,13 @@ MOST_ROUNDS = 5     # of finding lines that meet boxes: each is a cut of the sol
 
 @dataclass
 class BoxedMesh(LayeredMesh):
-    """boxes: how many; levels, rings: outside of them; flat: of the part that is worst."""
+    """boxes: how many; levels, rings: outside of them; flat: of the part that is worst.
+
+    pieces: [(name in stage_words.HEX_STAGES, perhaps numbered, how many hexes)], in the sequence of the hexes
+    """
 
     boxes: int = 0
+    pieces: tuple = ()
 
 
 def boxed_mesh(shape, skin, direction, size, link, end=np.inf):
@@ -61,7 +65,15 @@ def _with_boxes(shape, skin, boxes, direction, size, link, end):
     faces = cad_faces(shape, skin, points, quads, owner, near)
     flats = [mesh.flat for mesh in [*rest, *(mesh for _, mesh in pieces)]]
     return BoxedMesh(points, hexes, quads, faces, sum(m.rings for m in rest), sum(m.levels for m in rest),
-                     min(flats, key=lambda flat: flat.limit), rest[0].plane, 0, boxes=len(boxes))
+                     min(flats, key=lambda flat: flat.limit), rest[0].plane, 0, boxes=len(boxes),
+                     pieces=_counted(rest, boxes, pieces))
+
+
+def _counted(rest, boxes, meshes):
+    """BoxedMesh.pieces; a box that the solid divides has several meshes, one after the other."""
+    in_box = [sum(len(mesh.hexes) for box, mesh in meshes if box is one) for one in boxes]
+    return (("layers round the boxes", sum(len(mesh.hexes) for mesh in rest)),
+            *((f"box {number}", count) for number, count in enumerate(in_box, 1)))
 
 
 @contextlib.contextmanager

@@ -206,6 +206,7 @@ def surface_of(found, faults, name, what=""):
     mesh = found.mesh
     part = "" if found.factor == 1.0 else f" at {found.factor:g} of the size"
     return {"points": mesh.points, "quads": mesh.quads, "faces": mesh.faces, "hexes": mesh.hexes,
+            "pieces": getattr(mesh, "pieces", ()),
             "notes": [f"{name} along {named(found.direction)}{part}: {what}{mesh.levels} levels, {mesh.rings} layers, "
                       f"{len(mesh.hexes)} hexes; volume {100 * found.volume:+.2f} %, edges of a quad up to 1 to "
                       f"{1.0 / evenness(mesh.points, mesh.quads).min():.1f}",
