@@ -23,6 +23,7 @@ def all_is_german():
     menu = next(one for one in menus if one.title().replace("&", "") == "HexCon")
     texts = [action.text().split("\t")[0].replace("&", "") for action in menu.actions()]
     say(texts)
+    assert "Beispiele" in texts
     assert "Hexaedernetz aus K\u00f6rper" in texts and "Halten, belasten und l\u00f6sen" in texts
     select(box)
     open_panel("HexCon_MeshSolid")

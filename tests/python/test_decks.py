@@ -30,6 +30,8 @@ def crlf(text):
 CYLINDER = np.array([(r, a, z) for z in (0, 15, 30) for a in (0, 30, 60) for r in (5, 10, 15)], float)
 ROUND = np.column_stack([CYLINDER[:, 0] * np.cos(np.radians(CYLINDER[:, 1])),
                          CYLINDER[:, 0] * np.sin(np.radians(CYLINDER[:, 1])), CYLINDER[:, 2]])
+_SPHERICAL = np.column_stack([np.linalg.norm(GRID, axis=1), np.degrees(np.arctan2(GRID[:, 1], GRID[:, 0])),
+                              np.degrees(np.arctan2(GRID[:, 2], np.hypot(GRID[:, 0], GRID[:, 1])))])
 _PLANE = nodes(GRID[:9]) + "*NSET, NSET=LOW, GENERATE\n1, 9, 1\n"
 _TWO_ENDS = nodes(GRID[[0, 2, 6, 8, 18, 20, 24, 26]], form="{}, {:g}, {:g}, {:g}")
 _NGEN = "*NODE\n1,0,0,0\n3,10,0,0\n7,0,20,0\n9,10,20,0\n19,0,0,30\n21,10,0,30\n25,0,20,30\n27,10,20,30\n" \
@@ -77,6 +79,8 @@ DECKS = {
     "numbers with gaps": (_GAP + assembly(instance()), 8, 6000, (0, 0, 0)),
     "mesh in the instance": (part("") + assembly(instance(BOX)), 8, 6000, (0, 0, 0)),
     "cylinder": (nodes(CYLINDER, head="*NODE, SYSTEM=C") + elements(), 8, None, None),
+    "sphere": (nodes(_SPHERICAL, head="*NODE, SYSTEM=S", form="{}, {:.12g}, {:.12g}, {:.12g}") + elements(), 8, 6000,
+               (0, 0, 0)),
     "a system of axes": ("*SYSTEM\n100, 0, 0, 100, 1, 0\n99, 0, 0\n" + BOX, 8, 6000, (80, 0, 0)),
     "a system that moves": ("*SYSTEM\n1, 2, 3\n" + BOX, 8, 6000, (1, 2, 3)),
     "NGEN": (_NGEN + elements(), 8, 6000, (0, 0, 0)),

@@ -48,9 +48,10 @@ class Examples:
     members = EXAMPLES
 
     def GetResources(self):
-        return {"MenuText": QT_TRANSLATE_NOOP("HexCon_Examples", "Examples"),
-                "ToolTip": QT_TRANSLATE_NOOP("HexCon_Examples", "Open a part or a surface of the "
-                                             "literature in a document of its own"),
+        # FreeCAD does not translate the words of a group
+        return {"MenuText": FreeCAD.Qt.translate("HexCon_Examples", "Examples"),
+                "ToolTip": FreeCAD.Qt.translate("HexCon_Examples", "Open a part or a surface of the "
+                                                "literature in a document of its own"),
                 "Pixmap": icon_path("HexCon_Examples.svg")}
 
     def GetCommands(self):
