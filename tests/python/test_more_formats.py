@@ -160,19 +160,23 @@ _WHOLE = {"ascii.vtk": legacy(HEXES, 12, "CELL_DATA 8\nSCALARS part int 1\nLOOKU
           "X_COORDINATES 3 double\n0 5 10\nY_COORDINATES 3 double\n0 10 20\nZ_COORDINATES 3 double\n0 15 30\n"}
 
 
-@pytest.mark.parametrize("name", (*_WHOLE, "binary.vtk", "binary_51.vtk", "xml.vtu"))
-def test_a_vtk_file_that_is_cut_short(tmp_path, name):
+@pytest.mark.parametrize("name", (*_WHOLE, "binary.vtk", "binary_51.vtk", "xml.vtu", "ascii.ply", "binary.ply"))
+def test_a_file_for_vtk_that_is_cut_short(tmp_path, name):
     """Told as such, with the section and the place, before VTK dies of it or leaves out what is missing."""
     path = tmp_path / name
     if name in _WHOLE:
         whole = _WHOLE[name].rstrip().encode("ascii")
+    elif name.endswith("ply"):
+        quads = [("quad", OUTER.astype(np.int32))]
+        meshio.Mesh(GRID, quads).write(path, binary=name.startswith("binary"))
+        whole = path.read_bytes().rstrip(b"\n" if name == "ascii.ply" else b"")
     else:
         mesh = meshio.Mesh(GRID, [("hexahedron", HEXES)], cell_data={"part": [np.arange(8)]})
         mesh.write(path, **{"binary.vtk": {"file_format": "vtk42", "binary": True},
                             "binary_51.vtk": {"file_format": "vtk", "binary": True}}.get(name, {}))
         whole = path.read_bytes().rstrip(b"\n" if name == "xml.vtu" else b"")
     path.write_bytes(whole)
-    read = surface_from_file if name == "polygons.vtk" else read_mesh
+    read = surface_from_file if name.endswith(("polygons.vtk", "ply")) else read_mesh
     read(path)
     for part in (0.6, 0.8, 0.9, 0.999):
         path.write_bytes(whole[:int(part * len(whole)) - 1])

@@ -10,6 +10,7 @@ from hexcon.femmesh.hexahedron import FACES
 
 from .cut_short import check_legacy, check_xml
 from .mesh import groups_of_fields, joined, mesh_arrays
+from .ply_length import check_ply, with_line_end
 
 # VTK's cell type -> meshio's name, number of points
 _KINDS = {5: ("triangle", 3), 9: ("quad", 4), 10: ("tetra", 4), 12: ("hexahedron", 8), 13: ("wedge", 6), 14: ("pyramid", 5),
@@ -34,7 +35,7 @@ def read(path):
     ending = os.path.splitext(path)[1].lower()
     _check_head(path, ending)
     reader = _reader(ending)
-    reader.SetFileName(path)
+    reader.SetFileName(with_line_end(path) if ending == ".ply" else path)
     if ending == ".vtk":
         reader.ReadAllScalarsOn()
         reader.ReadAllFieldsOn()
@@ -65,8 +66,8 @@ def _check_head(path, ending):
         raise ValueError("not a VTK file")
     if ending == ".vtk":
         check_legacy(path)
-    elif ending != ".ply":
-        check_xml(path)
+    else:
+        (check_ply if ending == ".ply" else check_xml)(path)
 
 
 def _reader(ending):
