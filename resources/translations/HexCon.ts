@@ -981,6 +981,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>layers and filler</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>solids of layers and boxes but for rooms, where pipes or bores meet or lie askew, which the constrained methods fill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>subdivided quads</source>
         <translation type="unfinished"></translation>
     </message>

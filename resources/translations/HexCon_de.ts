@@ -981,6 +981,14 @@
         <translation>jeder Körper, dessen Formelemente nicht viel kleiner als die Elemente sind: ein Gitter von Hexaedern, das sie aufnimmt</translation>
     </message>
     <message>
+        <source>layers and filler</source>
+        <translation>Lagen und Füllung</translation>
+    </message>
+    <message>
+        <source>solids of layers and boxes but for rooms, where pipes or bores meet or lie askew, which the constrained methods fill</source>
+        <translation>Körper aus Lagen und Kästen bis auf Räume, wo Rohre oder Bohrungen sich treffen oder schief liegen: die füllen Verfahren, die Vierecke erhalten</translation>
+    </message>
+    <message>
         <source>subdivided quads</source>
         <translation>unterteilte Vierecke</translation>
     </message>

@@ -56,7 +56,7 @@ def _fault(*arguments, **options):
     return caught.value
 
 
-NOT_FOR_BOXES = {"revolved": FaultCode.NOT_REVOLVED, "boxed": FaultCode.NOT_BOXED}
+NOT_FOR_BOXES = {"revolved": FaultCode.NOT_REVOLVED, "boxed": FaultCode.NOT_BOXED, "filled": FaultCode.NOT_FILLED}
 
 
 @pytest.mark.parametrize("method", NOT_FOR_BOXES)

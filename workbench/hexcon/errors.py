@@ -36,6 +36,10 @@ class FaultCode(enum.Enum):
     NOT_GRIDDED = ("solid not gridded", "surface method grid found no grid that takes up all of the solid's features "
                    "and is certified", "CAD faces at fault", "take a smaller size, as the message says, another "
                    "surface method, or auto")
+    NOT_FILLED = ("no rooms filled", "surface method filled found no rooms round places where pipes or bores meet or "
+                  "lie askew, or the solid beside them has no layers, or a room no certified hexes",
+                  "CAD faces at fault",
+                  "take another size, another surface method, or auto")
     NOT_TRANSFINITE = ("solid not transfinite", "a face does not have four sides", "CAD faces",
                        "take another surface method, or auto")
     NOT_ALL_QUAD = ("not all quads", "triangles are left in the surface", "",

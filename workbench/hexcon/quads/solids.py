@@ -44,8 +44,8 @@ def surface_from_solid(shape_or_file, size, method="auto", *, local_sizes=(), pe
     Points lie on their CAD faces within 1e-7 * max(1, diagonal / 1000). Where the CAD's own edges and corners are
     further off its faces, the points lie on the edge or the corner and a note says so, up to 1/20 of the size.
     Raises ToolError: BAD_OPTION, BAD_SHAPE, FILE_IO, FILE_FORMAT, FREECAD_MISSING, TOOL_MISSING, TOOL_TIMEOUT,
-    TOOL_FAILED, NOT_SWEEPABLE, NOT_BLOCKS, NOT_REVOLVED, NOT_LAYERED, NOT_BOXED, NOT_GRIDDED, NOT_TRANSFINITE,
-    NOT_ALL_QUAD, ODD_SURFACE, OFF_CAD.
+    TOOL_FAILED, NOT_SWEEPABLE, NOT_BLOCKS, NOT_REVOLVED, NOT_LAYERED, NOT_BOXED, NOT_GRIDDED, NOT_FILLED,
+    NOT_TRANSFINITE, NOT_ALL_QUAD, ODD_SURFACE, OFF_CAD.
     """
     _check_options(size, method, timeout, per_turn, volume_error)
     local_sizes = sizes_by_place.parsed(local_sizes)

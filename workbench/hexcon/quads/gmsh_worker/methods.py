@@ -65,12 +65,15 @@ _ROWS = (
     SurfaceMethod("grid", "grid", "any solid whose features are not much smaller than the elements: a grid of hexes that "
                   "takes them up", "grid.tries.grid_surface", ("timeout", "care", "sizes"), turn=6, refused="not gridded",
                   leaves_out=True, spares_volume=True, filled_by="proposal"),
+    SurfaceMethod("filled", "layers and filler", "solids of layers and boxes but for rooms, where pipes or bores meet or lie "
+                  "askew, which the constrained methods fill", "filler.tries.filled_surface", ("timeout", "care"), turn=7,
+                  refusal="NOT_FILLED", refused="no rooms filled", filled_by="proposal"),
     # Hexes inside: 3 a quad on triangles, 10 to 22, and worse ones, where there are coarse quads.
     SurfaceMethod("subdivided", "subdivided quads", "any solid: gmsh's quads and triangles, each cut about its middle",
-                  "whole.whole_surface", ("method", "sizes"), turn=8, leaves_out=True, filled_by="diced", hexes_a_quad=10),
+                  "whole.whole_surface", ("method", "sizes"), turn=9, leaves_out=True, filled_by="diced", hexes_a_quad=10),
     SurfaceMethod("subdivided-triangles", "subdivided triangles",
                   "any solid: gmsh's triangles, each cut into three quads", "triangles.triangle_surface", ("care", "sizes"),
-                  turn=7, refused="no subdivided triangles", leaves_out=True, filled_by="diced", hexes_a_quad=3,
+                  turn=8, refused="no subdivided triangles", leaves_out=True, filled_by="diced", hexes_a_quad=3,
                   diced_first=True),
     SurfaceMethod("blossom", "blossom", "any solid, by luck: gmsh's triangles, paired to quads; few and even ones",
                   "whole.whole_surface", ("method", "sizes"), filled_by="shelling", hexes_a_quad=4),
