@@ -34,23 +34,27 @@ def _turning(line):
     return float(np.arccos(np.clip((d[1:] * d[:-1]).sum(1), -1, 1)).sum() * len(d) / (len(d) - 1))
 
 
-def divide(ideal, least, rows, held=()):
+def divide(ideal, least, rows, held=(), step=1):
     """(n,) int numbers of intervals.
 
     rows: of (terms: {piece: coefficient}, multiple, weight): the sum of terms is to be a multiple, or 0 where that is
           0; weight: what one off costs, beside 1 / sqrt(n) for one off n by length; None: it must hold
-    held: those whose number is their ideal one
+    held: those whose number is their ideal one; step: all others are multiples of it
     Raises NotLayered where the hard ones cannot hold.
     """
     program = Program(FAR)
     high = np.maximum(4.0 * ideal + 8, least + 8)
     high[list(held)] = least[list(held)]
-    for low, most in zip(least, high):
-        program.column(float(low), float(most))
+    steps = np.full(len(ideal), step)
+    steps[list(held)] = 1
+    for low, most, by in zip(least, high, steps):
+        program.column(float(np.ceil(low / by)), float(np.ceil(most / by)))
     for k, wanted in enumerate(ideal):
-        program.near({k: 1.0}, wanted, 1.0)
+        program.near({k: float(steps[k])}, wanted, 1.0)
     for terms, multiple, weight in rows:
-        terms = dict(terms)
+        terms = {k: int(factor * steps[k]) for k, factor in terms.items()}
+        if multiple and not any(factor % multiple for factor in terms.values()):
+            continue
         if multiple:
             terms[program.column(-FAR, FAR)] = -multiple
         if weight is None:
@@ -60,4 +64,4 @@ def divide(ideal, least, rows, held=()):
     found = program.solved(len(ideal), time_limit=SECONDS, mip_rel_gap=GAP)
     if found is None:
         raise NotLayered("no numbers of intervals fit together")
-    return found
+    return steps * found

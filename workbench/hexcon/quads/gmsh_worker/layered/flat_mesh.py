@@ -16,6 +16,7 @@ from .piece_sizes import PieceSizes
 ATTEMPTS = ((1.0, False, 3.0), (1.0, True, 3.0), (0.88, True, 2.0), (0.8, False, 1.2), (1.0, False, None))
 CRASHES = 6         # of gmsh, after which it is not asked any more
 PAVED = 2           # attempts that are made again with gmsh, where none is good enough without
+ALIKE = 3.0         # weight of both sides of a narrow wall being divided alike
 ENOUGH = 0.6        # of what corners allow, in the worst quad: with it no other attempt is made
 
 
@@ -49,7 +50,7 @@ def flat_mesh(arrangement, used, size, link, fixed=None, field=None):
         for part, even, widths in attempts:
             try:
                 spacing = sizes.along(part, widths)
-                counts = _counts(arrangement, pieces, outlines, [s.wanted for s in spacing], even, held)
+                counts = _counts(arrangement, pieces, outlines, spacing, sizes.alike, even, held)
                 made = regions.meshed(_stops(pieces, spacing, counts, held), paving)
             except (NotLayered, NoPlaneMesh) as error:
                 fault = error
@@ -98,16 +99,16 @@ def _stops(pieces, spacing, counts, held):
             for k, (c, own) in enumerate(zip(pieces, spacing))}
 
 
-def _counts(arrangement, pieces, outlines, wanted, even, held):
-    """{piece: intervals}. wanted: of each by its length; held: row of a piece -> its number."""
+def _counts(arrangement, pieces, outlines, spacing, alike, even, held):
+    """{piece: intervals}. spacing: list of Spacing; alike: as PieceSizes has it; held: row of a piece -> its number."""
     row_of = {c: k for k, c in enumerate(pieces)}
-    ideal, least = ideal_counts([arrangement.pieces[c] for c in pieces], wanted)
+    ideal, least = ideal_counts([arrangement.pieces[c] for c in pieces], [own.wanted for own in spacing])
     for k, n in held.items():
         ideal[k], least[k] = n, n
-    rows = [({k: 1}, 2, None) for k in range(len(pieces)) if k not in held] if even else []
+    rows = [(terms, 0, ALIKE) for terms in alike]
     for outline in outlines.values():
         rows += _rows([[row_of[c] for c, _ in loop] for loop in outline.loops], outline, ideal)
-    return dict(zip(pieces, divide(ideal, least, rows, held).tolist()))
+    return dict(zip(pieces, divide(ideal, least, rows, held, 2 if even else 1).tolist()))
 
 
 def _rows(loops, outline, ideal):
