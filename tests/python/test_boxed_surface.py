@@ -32,7 +32,7 @@ SOLIDS = {
     "counterbore and drill point": (
         cut(STEPPED, bore(20, 10, 5, 8), bore(20, 10, 3, 20), "(3, occ.addCone(20, 20, 10, 0, 1.8, 0, 3, 0))"), 12, "z",
         0.6, 0.9, 31200 - np.pi * (25 * 8 + 9 * (12 + 0.6))),
-    "two in one box": (cut(STEPPED, bore(14, 10, 3), bore(22, 12, 2)), 10, "z", 0.5, 0.85, 31200 - np.pi * 13 * 30),
+    "two in one box": (cut(STEPPED, bore(14, 10, 3), bore(22, 12, 2)), 10, None, 0.5, 0.85, 31200 - np.pi * 13 * 30),
     "boss": (f"occ.fuse({STEPPED}[0], [{bore(20, 10, 5, -12)}])", 10, "z", 0.6, 0.9, 31200 + np.pi * 25 * 12),
     "holes in both legs": (cut(ELL, "(3, occ.addCylinder(26, 15, 0, 0, 0, 8, 4))",
                                "(3, occ.addCylinder(0, 15, 26, 8, 0, 0, 4))"), 10, "z", 0.6, 0.9,
