@@ -6,6 +6,7 @@ mesher's structures want it: equal on opposite sides, equal on both rims of a ri
 """
 import numpy as np
 
+from ..outline import LARGEST
 from ..program import Program
 from .fault import NotLayered
 
@@ -47,7 +48,9 @@ def divide(ideal, least, rows, held=(), step=1):
     high[list(held)] = least[list(held)]
     steps = np.full(len(ideal), step)
     steps[list(held)] = 1
-    for low, most, by in zip(least, high, steps):
+    few = np.maximum(least, np.floor(ideal / LARGEST))      # wishes do not make intervals much longer than the size
+    few[list(held)] = least[list(held)]
+    for low, most, by in zip(few, high, steps):
         program.column(float(np.ceil(low / by)), float(np.ceil(most / by)))
     for k, wanted in enumerate(ideal):
         program.near({k: float(steps[k])}, wanted, 1.0)
