@@ -14,7 +14,7 @@ from ..fault import WorkerFault
 from ..smooth import evenness
 from .fault import NotLayered
 from .mesh import layered_mesh
-from .roles import Role, Shape
+from .roles import PARALLEL, Role, Shape
 from .slid import slid
 
 DIRECTIONS, TRIED = 12, 3       # directions looked at; those of them that are tried
@@ -25,7 +25,7 @@ ROUNDS = 3                      # of improving the inside here; who fills the su
 HOPELESS = 0.05                 # a direction with a worse scaled Jacobian is not tried with smaller sizes
 ENOUGH = 0.7                    # of the scaled Jacobian that corners of the outlines allow: smaller is not better
 MOST_SLANTED = 0.6              # part of the area that may lie neither across a direction nor along it
-STEEPS = tuple(np.sin(np.radians((30.0, 50.0))))    # angles up to which faces aslant are sides, in turn
+STEEPS = (*np.sin(np.radians((30.0, 50.0))), PARALLEL)      # sines of angles up to which faces aslant are sides, in turn
 SHARE = 0.3                     # of the time limit, in processor time: no try is begun then
 MOST_VOLUME = 0.12              # part by which the volume may be off before round faces get more quads
 
@@ -163,7 +163,7 @@ def least_of(shape, part_of, most, otherwise):
 def _slanted(shape, direction):
     """Part of the area that is of caps not across, and a little for sides not along. Raises NotLayered where there is
     too much of that, or a face hangs over."""
-    roles = shape.roles(direction, STEEPS[-1])
+    roles = shape.roles(direction, max(STEEPS))
     bad = [f for f, role in roles.items() if role is Role.NONE]
     slanted = [f for f, n in shape.normals.items() if roles[f] in (Role.UP, Role.DOWN)
                and np.abs(n @ direction).min() < 1.0 - 1e-8]
