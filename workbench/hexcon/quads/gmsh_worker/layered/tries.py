@@ -90,7 +90,7 @@ def _meshed(blends, direction, size, factor, link, sizes, told):
     known, best, fault = [], None, None
     for steep in STEEPS:
         roles = blends.shape.roles(direction, steep)
-        if roles in known:
+        if roles in known or Role.NONE in roles.values():
             continue
         known.append(roles)
         for by_sheets in (True, False)[not blends.along(direction, size * factor, steep):]:
