@@ -52,8 +52,9 @@ class Layered:
 
     @property
     def rank(self):
-        """The greater, the better."""
-        return self.good, min(self.quality.min, POOR), self.factor, self.quality.min, self.quality.mean
+        """The greater, the better. Quads up to three times as long as wide count as even, as in smooth.merit."""
+        worst = min(self.quality.min, 3.0 * float(evenness(self.mesh.points, self.mesh.quads).min()))
+        return self.good, min(worst, POOR), self.factor, worst, self.quality.mean
 
 
 def layered_surface(solid, size, link, timeout, sizes, care=0):
