@@ -25,7 +25,7 @@ ROUNDS = 3                      # of improving the inside here; who fills the su
 HOPELESS = 0.05                 # a direction with a worse scaled Jacobian is not tried with smaller sizes
 ENOUGH = 0.7                    # of the scaled Jacobian that corners of the outlines allow: smaller is not better
 MOST_SLANTED = 0.6              # part of the area that may lie neither across a direction nor along it
-STEEPS = (*np.sin(np.radians((30.0, 50.0))), PARALLEL)      # sines of angles up to which faces aslant are sides, in turn
+STEEPS = (*np.sin(np.radians((30.0, 50.0))), PARALLEL)  # sines of angles: up to them faces aslant are sides, in turn
 SHARE = 0.3                     # of the time limit, in processor time: no try is begun then
 MOST_VOLUME = 0.12              # part by which the volume may be off before round faces get more quads
 
