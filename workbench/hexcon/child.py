@@ -13,7 +13,7 @@ import threading
 import time
 from dataclasses import dataclass
 
-from . import interpreter, keeper
+from . import freecad_compat, interpreter, keeper
 from .errors import FaultCode, ToolError
 
 POLL = 0.03             # seconds between looks at a child
@@ -199,5 +199,10 @@ def _is_own(python):
 
 
 def added_packages():
-    """Where the Addon Manager has put Python packages that FreeCAD's Python lacks; empty outside of FreeCAD."""
-    return [entry for entry in sys.path if "AdditionalPythonPackages" in entry.replace(os.sep, "/").split("/")]
+    """Where the Addon Manager and the preferences have put Python packages that FreeCAD's Python lacks.
+
+    Empty outside of FreeCAD; not every FreeCAD has the folder on its own path (as an AppImage it has not)."""
+    found = [entry for entry in sys.path if freecad_compat.PACKAGES in entry.replace(os.sep, "/").split("/")]
+    if sys.modules.get("FreeCAD") is not None:
+        found += [entry for entry in [freecad_compat.packages_folder()] if entry not in found]
+    return found

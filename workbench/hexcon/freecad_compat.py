@@ -15,6 +15,8 @@ from hexcon.errors import FaultCode, ToolError
 DEBIAN_LIB = "/usr/lib/freecad-python3/lib"
 DEBIAN_HOME = "/usr/lib/freecad"
 
+PACKAGES = "AdditionalPythonPackages"   # the Addon Manager's folder of them
+
 DRAWN_BY_FEM = ("Fem::FemMeshObject", "Fem::FemPostObject")  # what of an analysis fills the 3D view
 
 
@@ -88,7 +90,7 @@ def version():
 
 def packages_folder():
     """Where the Addon Manager puts Python packages, and FreeCAD looks for them: since 0.21 by the Python's version."""
-    folder = os.path.join(freecad().getUserAppDataDir(), "AdditionalPythonPackages")
+    folder = os.path.join(freecad().getUserAppDataDir(), PACKAGES)
     return folder if version() < (0, 21) else os.path.join(folder, "py{}{}".format(*sys.version_info[:2]))
 
 

@@ -25,7 +25,9 @@ def install(progress=None):
     python, folder, names = interpreter.python(), freecad_compat.packages_folder(), missing()
     if names:
         command = [python, "-m", "pip", "install", "--disable-pip-version-check", "--no-input", "--target", folder]
-        ended = child.run([*command, *names], "pip", environment=child.python_environment(python), timeout=SECONDS,
+        # a distribution's pip would refuse, as if the folder were the system's
+        environment = child.python_environment(python, PIP_BREAK_SYSTEM_PACKAGES="1")
+        ended = child.run([*command, *names], "pip", environment=environment, timeout=SECONDS,
                           look=progress and (lambda: progress("start", 0.0)))
         if ended.status != 0:
             raise ToolError(f"pip ({python} -m pip) could not install {', '.join(names)}: {ended.last_words(3)}",
