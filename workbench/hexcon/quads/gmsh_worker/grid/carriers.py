@@ -56,9 +56,12 @@ class Carrier:
 def surface_carrier(face, scale):
     """Carrier of a CAD face; scale: a length to compare errors with."""
     kind = gmsh.model.getType(2, face)
-    found = _SURFACES[kind](face) if kind in _SURFACES else None
-    if found is not None:
-        made = Carrier(2, face, kind, **found)
+    # a surface that is trimmed in itself, as some unions leave it, is unknown to gmsh
+    for name in (kind,) if kind in _SURFACES else _SURFACES if kind == "Unknown" else ():
+        found = _SURFACES[name](face)
+        if found is None:
+            continue
+        made = Carrier(2, face, name, **found)
         low, high = (np.array(b) for b in gmsh.model.getParametrizationBounds(2, face))
         at = low + _PROBES * (high - low)
         if _agrees(made, np.array(gmsh.model.getValue(2, face, at.ravel())).reshape(-1, 3), scale):
