@@ -9,7 +9,7 @@ from . import paved
 from .fault import WorkerFault
 from .plane.slid import slid
 from .plane_mesh import image
-from .smooth import ANGLES, EVEN, POOR, evenness, merit, optimise, placed, scaled_jacobian
+from .smooth import ANGLES, EVEN, POOR, evenness, merit, placed, scaled_jacobian
 from .templates import BONUS, GOOD, TEMPLATES, is_fine, lowest, templated
 
 ENOUGH = 0.7       # an unstructured mesh this good ends the search on a large cap
@@ -126,8 +126,8 @@ def _valid(outline, name, shares, made):
     fixed = np.arange(len(points)) < len(outline_top)
     points = placed(points, quads, fixed, outline.limit())
     top = image(points, quads, outline_top)
-    if scaled_jacobian(top, quads).min() < scaled_jacobian(points, quads).min() - 0.02:
-        top = optimise(top, quads, fixed)
+    if merit(top, quads, outline.limit()) < merit(points, quads, outline.limit()) - 0.02:
+        top = placed(top, quads, fixed, outline.limit())
     cap = CapMesh(name, shares, points, top, quads, outline.limit())
     low, mean = cap.quality()
     print(f"cap: {name}: {len(quads)} quads, scaled Jacobian {low:.3f} to mean {mean:.3f}")
