@@ -83,6 +83,18 @@ def test_others_are_refused(tmp_path, build, words):
     assert caught.value.code is FaultCode.NOT_LAYERED and words in str(caught.value) and "Face" in str(caught.value)
 
 
+def test_a_thin_wall_is_divided_finely_there_only(tmp_path):
+    """A hole 0.1 from a side of a plate, where elements are of 1: chords of the size would cross the side."""
+    build = f"occ.cut([{PLATE}], [(3, occ.addCylinder(1.6, 3, -1, 0, 0, 5, 1.5))])"
+    mesh = hexcon.mesh_solid(cad_file(build, tmp_path / "solid.brep"), 1.0, surface_method="layered")
+    surface = mesh.surface
+    assert mesh.certificate.certified and not faults(mesh.points, mesh.hexes, surface.quads, surface.points)
+    assert mesh.quality.min > 0.5 and len(mesh.hexes) < 150 and set(surface.face_of_quad) == set(range(1, 8))
+    left = np.unique(np.round(surface.points[np.abs(surface.points[:, 0]) < 1e-9, 1], 9))
+    steps, middles = np.diff(left), (left[1:] + left[:-1]) / 2
+    assert steps[np.abs(middles - 3.0) < 0.5].max() < 0.5 < steps[np.abs(middles - 3.0) > 2.0].min()
+
+
 def test_it_can_be_cancelled(tmp_path):
     class Stop(Exception):
         pass
@@ -101,6 +113,9 @@ def test_numbers_of_intervals():
     found = divide(ideal, least, [loop, *opposite])
     assert found[0] == found[2] and found[0] in (3, 4, 5) and found.tolist()[1::2] == [2, 2]
     assert divide(ideal, least, [loop]).tolist() == [3, 2, 5, 2]
+    assert divide(ideal, least, [loop, *opposite], step=2).tolist() == [4, 2, 4, 2]
+    long, short = divide(np.array([10.0, 1.0]), least[:2], [({0: 1, 1: -1}, 0, 50.0), ({0: 1, 1: 1}, 2, None)])
+    assert long == short >= 5       # rather more short ones than intervals of twice the size
     ideal[0] = least[0] = 6
     held = divide(ideal, least, [loop, *opposite], held={0: 6})
     assert held[0] == 6 and held.sum() % 2 == 0
