@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which core an import takes: the one built here, or a release's for this system; and what it says where there is none."""
+"""Which core an import takes: the one built here, or a release's for this system; and what it says without one."""
 import pathlib
 import shutil
 import subprocess
@@ -26,8 +26,8 @@ def package(tmp_path):
 
 def core_of(package):
     """(path of the core that an import of that package takes or None, what it says)."""
-    done = subprocess.run([sys.executable, "-c", "import hexcon_native; print(hexcon_native._core.__file__)"], cwd=package.parent,
-                          env={"PYTHONPATH": str(package.parent)}, capture_output=True, text=True, check=False)
+    done = subprocess.run([sys.executable, "-c", "import hexcon_native; print(hexcon_native._core.__file__)"],
+                          cwd=package.parent, env={"PYTHONPATH": str(package.parent)}, capture_output=True, text=True, check=False)
     return (pathlib.Path(done.stdout.strip()) if done.returncode == 0 else None), done.stderr
 
 
