@@ -105,6 +105,7 @@ class InspectPanel(DrawingPanel):
         self.stages.setObjectName("stages")
         self.stages.setToolTip(translate("HexCon", "What the method put in, from outside to inside; what has no tick is "
                                                    "taken away"))
+        self.stages.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)      # it would lie over the last one
         self.stages.itemChanged.connect(self.draw)
         self.stages_name = QtGui.QLabel(translate("HexCon", "Stages"))
         rows.addRow(self.stages_name, self.stages)
@@ -157,6 +158,7 @@ class InspectPanel(DrawingPanel):
             item = QtGui.QListWidgetItem(words.stage_of_hexes(name, hexes))
             item.setData(QtCore.Qt.UserRole, name)
             item.setCheckState(QtCore.Qt.Unchecked if name in hidden else QtCore.Qt.Checked)
+            item.setToolTip(item.text())    # where the panel is narrower
             self.stages.addItem(item)
         row = max(self.stages.sizeHintForRow(0), 1)
         self.stages.setFixedHeight(row * min(self.stages.count(), MOST_STAGES) + 2 * self.stages.frameWidth())
