@@ -100,6 +100,13 @@ def _boxed():
     return np.concatenate([block, boss[:, ::-1, [2, 0, 1]] * [-1, 1, 1] + [0, 0.7, 0.75]])
 
 
+def _filled():
+    """Two pipes that meet."""
+    standing = np.concatenate([_turned([(0.6, 0), (0.6, 0.6), (0.6, 1.2), (0.6, 1.8)], 12), _disc(0.6, 1.8)])
+    lying = np.concatenate([_turned([(0.5, 0), (0.5, 0.5), (0.5, 1.0), (0.5, 1.5)], 12), _disc(0.5, 1.5)])
+    return np.concatenate([standing, lying[:, ::-1, [2, 0, 1]] * [-1, 1, 1] + [-0.3, 0, 0.9]])
+
+
 def _rough():
     """What a grid takes up: even quads, bent on to the body."""
     def place(u, v):
@@ -155,7 +162,7 @@ def _auto():
 
 # by the names of hexcon.quads.METHOD_TABLE
 BODIES = {"auto": _auto, "sweep": _sweep, "blocks": _blocks, "revolved": _revolved, "layered": _layered,
-          "boxed": _boxed, "grid": _rough, "subdivided": _subdivided,
+          "boxed": _boxed, "filled": _filled, "grid": _rough, "subdivided": _subdivided,
           "subdivided-triangles": lambda: _triangles(True), "blossom": _blossom, "transfinite": _transfinite}
 
 
