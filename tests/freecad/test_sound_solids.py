@@ -25,6 +25,15 @@ def test_corners_off_their_faces(tmp_path):
     assert any("edges and corners are up to 5e-06 off" in note for note in mesh.surface.notes)
 
 
+def test_layers_with_corners_off_their_faces(tmp_path):
+    """Points between two corners lie on the edge or the face, not on the line between the corners."""
+    plate = Part.makeBox(12, 12, 15).cut(Part.makeCylinder(3, 20, Vector(6, 6, -1)))
+    boss = plate.fuse(Part.makeBox(6, 12, 5, Vector(12, 0, 0))).removeSplitter()
+    path = sound_solids.with_corners_moved(boss, tmp_path / "boss.step", 2e-7)
+    surface = surface_from_solid(path, 4.0, "layered")
+    assert surface.method == "layered" and np.unique(surface.face_of_quad).size == len(boss.Faces)
+
+
 def test_corners_too_far_off(tmp_path):
     path = sound_solids.with_corners_moved(sound_solids.notched_block(), tmp_path / "block.step", 0.5)
     with pytest.raises(ToolError, match=r"more than 1/20 of the size: Edge1, ") as caught:

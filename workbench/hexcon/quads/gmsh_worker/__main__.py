@@ -10,7 +10,7 @@ from .cad_fit import cad_fit
 from .chord_sizes import within
 from .fault import WorkerFault
 from .methods import METHOD_TABLE, VOLUME_ERROR, tried_by_auto
-from .nearness import check_corners, distances
+from .nearness import check_corners, distances, put_on_cad
 from .wanted_sizes import wanted_sizes
 
 MOST_QUADS = 5e6    # more is a slip of the keyboard, and would fill the memory
@@ -95,6 +95,8 @@ def _without_short_edges(solid, size, leaves_out):
 def _arrays(solid, mesh, size, method, notes):
     """What is handed over: the arrays of result.npz."""
     off, gaps = distances(solid, mesh, size)
+    if put_on_cad(solid, mesh, size, off):
+        off, gaps = distances(solid, mesh, size)
     return {"points": mesh["points"], "quads": mesh["quads"], "faces": mesh["faces"], "off_cad": off,
             "cad_gap": gaps, "tolerance": solid.tolerance, "method": method, "notes": np.array(notes, dtype=str),
             **cad_fit(solid, mesh), **{name: mesh[name] for name in ("hexes",) if name in mesh}, **_pieces(mesh)}

@@ -4,6 +4,8 @@ import numpy as np
 
 from .fault import WorkerFault
 
+STEP = 1e-4     # of the size: what a point may be moved by, to lie on the CAD
+MOST_PUT = 1000     # points that are moved so
 GAP = 0.05      # of the size: what CAD edges and corners may be off their faces without bending the mesh
 
 
@@ -46,6 +48,29 @@ def distances(solid, mesh, size):
             d[bad[excused]] = to_outline[excused]
         off[ids] = np.maximum(off[ids], d)
     return off, gap
+
+
+def put_on_cad(solid, mesh, size, off):
+    """Move points that are off their faces on to the CAD, where it is STEP * size away at most: on to the one face that
+    they lie on, or the edge between two.
+
+    Edges and corners may be off their faces by the CAD's tolerance: a point between two of them is then off the face.
+    off: of distances. Returns whether any was moved.
+    """
+    wrong = off > solid.tolerance
+    if np.count_nonzero(wrong) > MOST_PUT:      # more than a fault of single corners
+        return False
+    moved, rows = False, np.flatnonzero(wrong[mesh["quads"]].any(axis=1))
+    for point in np.flatnonzero(wrong).tolist():
+        faces = set(mesh["faces"][rows[(mesh["quads"][rows] == point).any(axis=1)]].tolist())
+        here = mesh["points"][point][None]
+        places = [solid.project(2, *faces, here)] if len(faces) == 1 else [
+            solid.project(1, edge, here) for edge in solid.edges if len(faces & set(solid.faces_of[edge])) == 2]
+        for place in places:
+            if np.linalg.norm(place - here) <= STEP * size:
+                mesh["points"][point], moved = place[0], True
+                break
+    return moved
 
 
 def _face_distance(solid, face, points):
