@@ -15,7 +15,8 @@ from .on_cad import captured
 from .sharp import SharpStanding
 from .skins import skins
 
-LEAST = 0.4             # of the size: blends that reach less far are caps like others
+LEAST = 0.4             # of the size: blends that reach less far are caps like others,
+LEAST_CONVEX = 0.7      # and convex ones, if none of them reaches farther: sheets take more hexes than they are worth
 CAPS = (Role.UP, Role.DOWN)
 PASSES, MEAN_PASSES = 9, 4      # of hexcon_native.relax
 
@@ -34,7 +35,8 @@ class Blends:
             return []
         if self._cad is None:
             self._cad = Cad(self.shape.solid, self.size)
-        return [b for b in blends(self._cad, roles, direction) if b.reach > LEAST * size]
+        found = [b for b in blends(self._cad, roles, direction) if b.reach > LEAST * size]
+        return [b for b in found if not b.convex or any(one.convex and one.reach > LEAST_CONVEX * size for one in found)]
 
     def _is_curved(self, face):
         return self.shape.carriers[face].kind != "Plane"
