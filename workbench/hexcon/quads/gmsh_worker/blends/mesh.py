@@ -2,10 +2,12 @@
 """A layered solid with blends: its mesh as if corners were sharp, with sheets under them, brought on to the CAD."""
 import numpy as np
 
+import hexcon_native as hn
+
 from ..grid.captured import face_pairs
 from ..grid.features import EVERY_EDGE, Cad, Features
 from ..grid.placement import placed
-from ..grid.sheets import Pinched, insert
+from ..grid.sheets import insert
 from ..grid.sliding import Sliding
 from ..layered.extrude import LayeredMesh
 from ..layered.fault import NotLayered
@@ -36,7 +38,8 @@ class Blends:
         if self._cad is None:
             self._cad = Cad(self.shape.solid, self.size)
         found = [b for b in blends(self._cad, roles, direction) if b.reach > LEAST * size]
-        return [b for b in found if not b.convex or any(one.convex and one.reach > LEAST_CONVEX * size for one in found)]
+        worth = any(b.convex and b.reach > LEAST_CONVEX * size for b in found)
+        return [b for b in found if worth or not b.convex]
 
     def _is_curved(self, face):
         return self.shape.carriers[face].kind != "Plane"
@@ -46,6 +49,14 @@ class Blends:
         are not yet at their best. steep, field: as layered_mesh takes them. Raises NotLayered."""
         found = self.along(direction, size, steep)
         mesh = SharpStanding(self.shape, direction, size, steep, found).mesh(link, field=field)
+        try:
+            return self._on_cad(mesh, found, link)
+        except (ValueError, hn.HexconError) as fault:
+            raise NotLayered(str(fault)) from fault
+
+    def _on_cad(self, mesh, found, link):
+        """The LayeredMesh with sheets under blends, its boundary on the CAD. ValueError where a sheet, or a curve of
+        the CAD, finds no way."""
         link.progress("slide", 0.0)
         features = Features(self._cad, EVERY_EDGE)
         rough = captured(mesh, features)
@@ -63,10 +74,7 @@ def _with_skins(mesh, found):
     """The CapturedMesh with a sheet for each Skin."""
     for number, skin in enumerate(found):
         before = len(mesh.quads), len(mesh.hexes)
-        try:
-            mesh = insert(mesh, skin.pulled, skin.covered)
-        except Pinched as fault:
-            raise NotLayered(f"no sheet goes in under a blend: {fault}") from fault
+        mesh = insert(mesh, skin.pulled, skin.covered)
         for later in found[number + 1:]:
             _extend(later, mesh, *before)
     return mesh

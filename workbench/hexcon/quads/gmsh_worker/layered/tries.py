@@ -102,7 +102,8 @@ def _meshed(blends, direction, size, factor, link, sizes, told):
                     mesh.points = slid(blends.shape, mesh)
                 found = judged(blends.shape, mesh, direction, factor)
             except NotLayered as error:
-                told += [f"along {named(direction)}, blends by sheets: {error}"] if by_sheets else []
+                words = f"along {named(direction)}, blends by sheets: {error}"
+                told += [words] if by_sheets and words not in told else []
                 fault = fault or error
                 continue
             if best is None or found.rank > best.rank:
