@@ -51,7 +51,7 @@ def test_random_rims(tmp_path, seed):
     quarter = (1 - np.pi / 4) * radius ** 2        # what a fillet takes away across it, beyond the mitres
     mitre = radius ** 3 * (5 / 3 - np.pi / 2)      # of each corner: both fillets take it away
     exact = x * y * z - 2 * (x + y) * quarter + 4 * mitre
-    assert abs(enclosed(mesh.surface) / exact - 1.0) < 0.01
+    assert abs(enclosed(mesh.surface) / exact - 1.0) < 0.02
 
 
 @pytest.mark.parametrize("name", SOLIDS)

@@ -119,8 +119,8 @@ class _Sides:
             found.append(self._wall(end, edge))
 
     def _left_out(self, level, edge, rounded, outside):
-        """(n,) bool: edges between rounded ones where a sheet may as well end: at corners of one side at the level,
-        over walls of the surface only."""
+        """(n,) bool: edges that are not rounded, at which a sheet may as well end: those between corners of one side at
+        the level, over walls of the surface only."""
         out = np.zeros(len(edge), bool)
         rest = np.flatnonzero(~rounded)
         if not len(rest):
@@ -128,7 +128,10 @@ class _Sides:
         count = np.bincount(self._quads[level].ravel(), minlength=self._count)
         ends = np.zeros(self._count, bool)
         ends[edge[rounded]] = True
-        part = _parts(edge[rest])
+        cut = edge[rest]
+        corner = count[cut] == 1
+        cut[corner] = -1 - np.arange(corner.sum())
+        part = _parts(cut)
         bad = ~np.array(outside)[rest] | (ends[edge[rest]] & (count[edge[rest]] > 1)).any(1)
         out[rest] = ~np.isin(part, part[bad])
         return out
