@@ -18,6 +18,7 @@
 # make solids  the CAD files of the folder SOLIDS from solid to certificate; SOLIDS_METHOD: by which surface method
 # make grid-beside  FEM on the grid's hexes beside diced ones and quadratic tetrahedra, and its hexes beside gmsh's and, where it is
 #              installed, OpenFOAM's snappyHexMesh; goes on where it was stopped
+# make second-order  convergence of order 2, with its picture, and FEM on eighteen bodies beside quadratic tetrahedra (hours)
 # make measured  bench, compare, parts and csg, one after the other (hours), and docs/measured.md from their results
 # make fuzz    libFuzzer on the core's calls, with the sanitizers (clang); FUZZ_SECONDS: how long, FUZZ_RUNS: how often
 # make build   the core alone, in place
@@ -38,7 +39,7 @@ sources = $(shell git ls-files 'hexcon_native/*.[ch]' 'tests/native/*.[ch]' 'exa
             find hexcon_native tests/native examples -name '*.[ch]')
 native = $(wildcard hexcon_native/src/*/*.c hexcon_native/src/*/*/*.c)
 
-.PHONY: run test test-current build release link bench bench-window compare compare-optimizer parts csg solids scoreboard grid-beside measured gallery screenshots setup-run setup-test setup-lint setup-fuzz setup-release \
+.PHONY: run test test-current build release link bench bench-window compare compare-optimizer parts csg solids scoreboard grid-beside second-order measured gallery screenshots setup-run setup-test setup-lint setup-fuzz setup-release \
   lint lint-c lint-python lint-shell sanitized-build native-test hostile-test python-test fuzz clean
 
 run: setup-run build
@@ -174,6 +175,14 @@ solids: setup-run build
 grid-beside: setup-test build
 	@PYTHONPATH=.:workbench $(python) scripts/grid_beside/mesher_table.py --result output/meshers.jsonl
 	@PYTHONPATH=.:workbench $(python) scripts/grid_beside/fem_table.py grid
+	@$(python) scripts/measured.py
+
+second-order: setup-test build
+	@mkdir -p output
+	@PYTHONPATH=.:workbench $(python) scripts/second_order/convergence.py --picture docs/convergence.png >output/convergence.new && \
+	  mv output/convergence.new output/convergence.txt
+	@PYTHONPATH=.:workbench $(python) scripts/grid_beside/fem_table.py round
+	@PYTHONPATH=.:workbench $(python) scripts/grid_beside/fem_table.py machined
 	@$(python) scripts/measured.py
 
 # Each writes its result file first: what is there already of csg is kept (remove the file to measure anew).

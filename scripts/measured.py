@@ -89,6 +89,7 @@ def mesher_rows(lines):
 BLOCKS = {"bench": ("bench.txt", verbatim), "parts": ("parts.txt", verbatim), "csg": ("csg.jsonl", csg_rows),
           "compare": ("compare.txt", verbatim), "optimizer": ("optimizer.txt", verbatim),
           **{name: (name + ".jsonl", fem_rows) for name in ("fem_grid", "fem_round", "fem_machined")},
+          "convergence": ("convergence.txt", verbatim),
           "meshers": ("meshers.jsonl", mesher_rows)}
 """name: result file, and what makes the block's lines of the file's."""
 

@@ -62,7 +62,7 @@ def measured(name, body, natural, folder):
     held, loaded = face_at(shape, body.held), face_at(shape, body.loaded)
 
     def hexes(what, size):
-        return hexcon.mesh_solid(path, size, order=2, threads=1, **HEXES[what])
+        return hexcon.mesh_solid(path, size, order=2, threads=1, timeout=600, **HEXES[what])
 
     def tets(nodes):
         return like(nodes, lambda size: tetrahedra(path, size, held, loaded, folder), body.size)

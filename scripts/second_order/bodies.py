@@ -50,6 +50,11 @@ def quarter_pipe(occ):
     _cut(occ, (3, outer), (3, inner))
 
 
+def quarter_plate(occ):
+    """A quarter of a plate of 40 x 40 x 2 with a hole of radius 5, between the planes x = 0 and y = 0."""
+    _cut(occ, (3, occ.addBox(0, 0, 0, 20, 20, 2)), (3, occ.addCylinder(0, 0, 0, 0, 0, 2, 5)))
+
+
 BODIES = {
     "cylinder": (4.0, lambda occ: occ.addCylinder(0, 0, 0, 0, 0, 20, 10)),
     "ball": (4.0, lambda occ: occ.addSphere(0, 0, 0, 10)),
