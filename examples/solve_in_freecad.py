@@ -24,7 +24,7 @@ def main():
     result = hexcon.solve(document, mesh_object, beam, fixed=["Face1"], force={"Face2": (0, 0, -100.0)})
     # A slender cantilever of steel: F L^3 / (3 E I)
     expected = 100.0 * 100.0 ** 3 / (3 * 210000.0 * 10.0 * 10.0 ** 3 / 12)
-    print(f"mesh          {len(mesh.hexes)} C3D20, {mesh.certificate}")
+    print(f"mesh          {len(mesh.hexes)} C3D20R, {mesh.certificate}")
     print(f"deflection    {result.max_displacement:.4f} mm, beam theory without shear {expected:.4f} mm")
     print(f"von Mises     {result.von_mises.max():.1f} MPa at most")
 

@@ -16,7 +16,7 @@ sys.path[:0] = [ROOT, os.path.join(ROOT, "workbench")]
 PART = os.path.join(ROOT, "resources", "examples", "bracket.step")
 OUTPUT = os.path.abspath(sys.argv[-1]) if "--" in sys.argv else os.path.join(ROOT, "output")
 SIZE = 5.0  # mm
-ORDER = 2   # C3D20
+ORDER = 2   # C3D20R
 
 
 def face_at(shape, axis, position):

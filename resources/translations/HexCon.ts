@@ -557,7 +557,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>second order (C3D20)</source>
+        <source>second order (C3D20R)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -673,7 +673,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{count} hexes have curved edges, which are drawn straight here; colours and figures are of the curved hexes</source>
+        <source>{count} hexes have curved edges; colours and figures are theirs</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

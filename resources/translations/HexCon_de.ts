@@ -557,8 +557,8 @@
         <translation>erste Ordnung (C3D8)</translation>
     </message>
     <message>
-        <source>second order (C3D20)</source>
-        <translation>zweite Ordnung (C3D20)</translation>
+        <source>second order (C3D20R)</source>
+        <translation>zweite Ordnung (C3D20R)</translation>
     </message>
     <message>
         <source>{quads}, {even}</source>
@@ -673,8 +673,8 @@
         <translation>{count} vom Rand bis zum Kern</translation>
     </message>
     <message>
-        <source>{count} hexes have curved edges, which are drawn straight here; colours and figures are of the curved hexes</source>
-        <translation>{count} Hexaeder haben gekrümmte Kanten, die hier gerade gezeichnet sind; Farben und Zahlen gehören zu den gekrümmten Hexaedern</translation>
+        <source>{count} hexes have curved edges; colours and figures are theirs</source>
+        <translation>{count} Hexaeder haben gekrümmte Kanten; Farben und Zahlen sind die ihren</translation>
     </message>
     <message>
         <source>{stage}: {count}</source>

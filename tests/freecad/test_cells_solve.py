@@ -77,8 +77,9 @@ SOLVED = {"C3D8": (0.07, 0.3), "C3D20": (0.6, 1.0), "C3D20R": (0.9, 1.05)}
 def beam_deflection(mesh, kind):
     """Mean of the end's nodes, downwards, in parts of Timoshenko's."""
     order = 1 if kind == "C3D8" else 2
-    deck = calculix.static_deck(mesh, fixed=["Face1"], force={"Face2": (0, 0, -FORCE)}, order=order)
-    result = calculix.solve_inp(deck.replace("TYPE=C3D20", "TYPE=" + kind) if order == 2 else deck)
+    deck = calculix.static_deck(mesh, fixed=["Face1"], force={"Face2": (0, 0, -FORCE)}, order=order,
+                                element=kind)
+    result = calculix.solve_inp(deck)
     return -result.displacements[femmesh.face_nodes(mesh, 2, order), 2].mean() / timoshenko()
 
 

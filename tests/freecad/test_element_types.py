@@ -6,6 +6,7 @@ from hex_grids import block
 from test_calculix_deck import GRADIENT, exact_stress
 
 import hexcon
+import hexcon_native
 from hexcon import calculix, files
 from hexcon.calculix.deck_loads import check_deck
 from hexcon.errors import FaultCode, ToolError
@@ -32,6 +33,16 @@ def test_files_and_decks(tmp_path, name):
     assert types_in(deck) == {name}
     bent = calculix.solve_inp(deck).max_displacement        # 4 N L^3 / E b^4 by Bernoulli, 2 % more by Timoshenko
     assert bent == pytest.approx(4 * 1000 / 210000.0, rel={"C3D8": 0.35, "C3D8R": 0.4}.get(name, 0.02))
+
+
+@pytest.mark.parametrize(("count", "name"), [((1, 1, 1), "C3D20"), ((10, 1, 1), "C3D20"), ((4, 2, 1), "C3D20R"),
+                                              ((3, 3, 3), "C3D20R")])
+def test_rows_of_single_hexes_are_integrated_in_full(count, name):
+    """They have modes that reduced integration does not resist; bent they would come out many times too soft."""
+    mesh = block(*count, SIZE)
+    deck = calculix.static_deck(mesh, force=PULL, order=2)
+    assert types_in(deck) == {name} and types_in(calculix.static_deck(mesh, force=PULL)) == {"C3D8"}
+    assert calculix.solve_inp(deck).max_displacement < 1.1 * 4 * 1000 / 210000.0
 
 
 @pytest.mark.parametrize(("name", "order"), [("C3D20R", 1), ("C3D8", 2), ("C3D8I", 1), ("C3D10", 2)])
@@ -74,6 +85,49 @@ def test_curved_elements_pass_the_patch_test(cylinder_in, name):
     found = result.integration_points[:, [2, 3, 4, 5, 7, 6]]
     assert np.abs(found - right).max() < 1e-5 * np.abs(right).max()
     assert np.abs(result.displacements - field).max() < 1e-5 * np.abs(field).max()
+
+
+def bent(points):
+    """Pure bending of Poisson's ratio 0.3: displacements of degree 2, whose only stress is E y along x."""
+    x, y, z = points.T
+    return np.column_stack([x * y, -(x ** 2 + 0.3 * (y ** 2 - z ** 2)) / 2, -0.3 * y * z])
+
+
+@pytest.mark.parametrize("name", ["C3D20", "C3D20R"])
+@pytest.mark.parametrize("askew", [False, True])
+def test_quadratic_patch(name, askew):
+    """Exact on parallelepipeds, whose shape functions hold every quadratic; on crooked ones (straight edges) they do
+    not, and the error of displacements falls with a power of the size."""
+    def error(count):
+        mesh = block(count, count, count)
+        points = mesh.points / count
+        if askew:
+            points += 0.15 * np.sin(np.pi * points[:, [1, 2, 0]]) * np.sin(np.pi * points) * (1, -1, 1)
+        mesh.points[:] = points @ np.array([[1.0, 0.2, 0.1], [0.0, 1.0, 0.3], [0.0, 0.0, 1.0]])
+        elements = elements_of(mesh, 2)
+        boundary, field = np.unique(elements.quads), bent(elements.points)
+        deck = calculix.static_deck(mesh, {"young": 1000.0, "poisson": 0.3}, fixed=(), order=2, element=name,
+                                    prescribed=(boundary, field[boundary]))
+        return np.abs(calculix.solve_inp(deck).displacements - field).max() / np.abs(field).max()
+    if askew:
+        assert 1e-5 < 4 * error(4) < error(2) < 0.01
+    else:
+        assert error(2) < 3e-6     # figures of six digits
+
+
+@pytest.mark.parametrize("name", ["C3D20", "C3D20R"])
+def test_calculix_takes_what_is_certified_and_refuses_what_folds(cylinder_in, name):
+    """CalculiX looks at its integration points alone: what folds there it refuses."""
+    solid = cylinder_in(3.0, 4.0)
+    mesh = hexcon.mesh_solid(solid.Shape, 2.0, order=2)
+    loads = {"fixed": ("Face2",), "force": {"Face3": (0.0, 0.0, -1.0)}, "element": name}
+    assert mesh.certificate.certified and calculix.solve_inp(calculix.static_deck(mesh, **loads)).max_displacement > 0
+    one = mesh.hexes[0]
+    mesh.points[one[16:]] += 2 * (mesh.points[one[4]] - mesh.points[one[0]])
+    assert not hexcon_native.certify(mesh.points, mesh.hexes, mesh.quads).certified
+    with pytest.raises(ToolError) as caught:
+        calculix.solve_inp(calculix.static_deck(mesh, **loads))
+    assert caught.value.code is FaultCode.TOOL_FAILED
 
 
 STEP = "*STEP\n*STATIC\n{}\n*END STEP\n"

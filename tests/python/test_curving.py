@@ -11,6 +11,7 @@ from mesh_checker import boundary_faults
 import hexcon
 import hexcon_native as hn
 from hexcon.calculix.deck import static_deck
+from hexcon.curving.raising import raised
 from hexcon.femmesh.second_order import RAISED
 from hexcon.judging.curved import of_curving
 from hexcon.meshing import Strategy
@@ -73,6 +74,9 @@ def test_round_solids(solids, name, size, exact):
     straight = hn.raise_order(flat.points, flat.hexes)
     errors = [abs(volume(*one) - exact) for one in ((mesh.points, mesh.hexes), straight)]
     assert 50 * errors[0] < errors[1]
+    later, why = raised(flat, 2)
+    assert why is None and (later.points == mesh.points).all() and (later.hexes == mesh.hexes).all()
+    assert flat.order == 1 and "curved" not in flat.report and later.certificate.certified
     assert told["volume"] == pytest.approx(volume(mesh.points, mesh.hexes), rel=1e-9)
     assert told["cad_volume"] == pytest.approx(exact, rel=1e-6)
 
@@ -92,6 +96,8 @@ def test_straight_edges_are_told(solids):
     loads = {"fixed": ("Face1",), "force": {"Face2": (1.0, 0.0, 0.0)}}
     assert RAISED in static_deck(flat, order=2, **loads)
     assert RAISED not in static_deck(flat, **loads)
+    flat.solid = "gone.brep"
+    assert RAISED + "; its solid could not be used: FILE_IO" in static_deck(flat, order=2, **loads)
 
 
 def test_notes_of_curved_quads():

@@ -19,6 +19,7 @@ from hexcon.inspection.faces import bare_faces, edges_of_quads, neighbours  # no
 from hexcon.inspection.figures import spread, worst  # noqa: E402
 from hexcon.inspection.opening import InspectedMesh, Opening  # noqa: E402
 from hexcon.inspection.peeling import layers  # noqa: E402
+from hexcon.inspection.tessellation import edges_in_pieces, tessellated  # noqa: E402
 from hexcon.judging import words  # noqa: E402
 from hexcon.pictures.palette import INVERTED, QUALITY, quality_colours  # noqa: E402
 
@@ -179,7 +180,27 @@ def test_curved_hexes_are_judged_as_they_are():
     found, checked = InspectedMesh(SimpleNamespace(points=points, hexes=hexes)), hn.quality(points, hexes)
     assert np.array_equal(found.scaled_jacobian, checked.scaled_jacobian) and checked.min < 0.9 and found.curved == 1
     told = dict(words.of_opening(found, np.ones(2, bool), 10))
-    assert f"{checked.min:.3f}" in told["Scaled Jacobian"] and "drawn straight" in told["Note"]
+    assert f"{checked.min:.3f}" in told["Scaled Jacobian"] and "1 hexes have curved" in told["Note"]
+
+
+def test_curved_faces_are_drawn_in_pieces_along_their_edges():
+    """The bent edge's pieces lie on its parabola; straight faces stay whole; hexes that stand apart are bent, too."""
+    mesh = block(2, 1, 1)
+    points, hexes = hn.raise_order(mesh.points, mesh.hexes)
+    points[hexes[0, 8]] += (0.0, 0.0, 0.125)
+    found = InspectedMesh(SimpleNamespace(points=points, hexes=hexes))
+    for shrink, whole in ((0.0, 8), (0.5, 10)):
+        drawn, faces, rows = Opening(shrink=shrink).drawn(found, np.ones(2, bool))
+        places, quads, face_of_quad, edges = tessellated(drawn, faces)
+        assert len(quads) == whole + 2 * 16 and len(edges) >= 2 * 16
+        assert set(np.unique(rows[face_of_quad])) == {0, 1}
+        ends = drawn[faces[face_of_quad[-1]]]
+        low, high = ends.min(axis=0), ends.max(axis=0)
+        assert (places[quads[-1]] > low - 1e-12).all() and (places[quads[-1]] < high + 1e-12).all()
+    outline, lines = edges_in_pieces(points[hexes[0]])
+    first = outline[:5]
+    assert np.allclose(first[:, 2], points[hexes[0, 0], 2] + 0.125 * np.array([0, 0.75, 1, 0.75, 0]))
+    assert len(lines) == 48
 
 
 @pytest.mark.parametrize("count", [0, 1, 7, 125, 1000])

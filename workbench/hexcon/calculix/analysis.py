@@ -6,12 +6,12 @@ from contextlib import contextmanager
 import numpy as np
 
 from hexcon import disk, freecad_compat
+from hexcon.curving.raising import raised
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.convert import from_femmesh, to_femmesh
 from hexcon.femmesh.document import insert
-from hexcon.femmesh.element_types import chosen_type, element_type
+from hexcon.femmesh.element_types import chosen_type, default_type, element_type
 from hexcon.femmesh.elements import elements_of
-from hexcon.femmesh.second_order import RAISED, is_raised
 from hexcon.topological import is_topological, refuse_topological
 
 from . import constraints as make, frd
@@ -35,9 +35,10 @@ def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pres
     material  see material.material_of; None: steel
     fixed     CAD faces held;  force {"Face2": (fx, fy, fz)} total N, spread evenly;
     pressure  {"Face3": MPa}, positive onto the face
-    order     1 (C3D8), 2 (C3D20), None: the mesh's own; only for a mesh that is no object. A mesh of order 1 keeps
-              straight edges at order 2: report["straight edges"] says so
-    element   C3D8, C3D8R, C3D20 or C3D20R, of the mesh's order; None: the mesh object's ElementType, else FreeCAD's
+    order     1 (C3D8), 2 (C3D20R or C3D20), None: the mesh's own; only for a mesh that is no object. A mesh of order 1
+              is curved at order 2 on the solid it was made of; where that cannot be, report["straight edges"] says why
+    element   C3D8, C3D8R, C3D20 or C3D20R, of the mesh's order; None: the mesh object's ElementType, else that
+              of femmesh.element_types.default_type
     workdir   existing folder for the deck and ccx's files; a new temporary one if None
     timeout   seconds for ccx;  threads  None: all processors
     allow_topological  take a mesh of topology only as well: its results mean nothing
@@ -62,12 +63,14 @@ def solve(doc, mesh, solid, *, material=None, fixed=("Face1",), force=None, pres
     if not os.path.isdir(folder):
         raise ToolError(f"working folder {folder} does not exist", FaultCode.FILE_IO)
     is_object = hasattr(mesh, "FemMesh")
+    mesh, straight = (mesh, None) if is_object else raised(mesh, order)
     femmesh = (mesh.FemMesh if is_object else
                to_femmesh(mesh, order, allow_topological=allow_topological))
     setup = _Setup(doc, solid, mesh if is_object else None, femmesh, material)
     setup.topological = is_topological(mesh)
-    setup.raised = not is_object and is_raised(mesh, order)
-    setup.element = element_type(element or chosen_type(mesh), setup.elements.order)
+    setup.straight = straight
+    setup.element = (element_type(element or chosen_type(mesh), setup.elements.order)
+                     or default_type(setup.elements))
     setup.fixed = faces[0]
     setup.force = dict(zip(faces[1], force.values()))
     setup.pressure = dict(zip(faces[2], pressure.values()))
@@ -96,7 +99,7 @@ class _Setup:
 
     def __init__(self, doc, solid, mesh_object, femmesh, material):
         self.doc, self.solid, self.material = doc, solid, material
-        self.mesh_object, self.femmesh, self.topological, self.raised = mesh_object, femmesh, False, False
+        self.mesh_object, self.femmesh, self.topological, self.straight = mesh_object, femmesh, False, None
         self.fixed, self.force, self.pressure, self.notes = [], {}, {}, []
         self.mesh = from_femmesh(femmesh)
         self._fill_faces()
@@ -199,4 +202,4 @@ def _result(setup, tools, result_object, added, found, log):
     return Result(result_object, added, displacements, stress, frd.von_mises(stress), inp,
                   os.path.splitext(inp)[0] + ".frd", log,
                   {"notes": setup.notes, "force_sum": setup.force_sum.tolist(),
-                   **({"straight edges": RAISED} if setup.raised else {})})
+                   **({"straight edges": setup.straight} if setup.straight else {})})

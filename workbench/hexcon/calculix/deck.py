@@ -4,9 +4,9 @@ import io
 
 import numpy as np
 
+from hexcon.curving.raising import raised
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.elements import elements_of
-from hexcon.femmesh.second_order import RAISED, is_raised
 from hexcon.files.abaqus import write_mesh
 from hexcon.files.text import write_list, write_rows
 from hexcon.topological import refuse_topological
@@ -31,9 +31,9 @@ def static_deck(mesh, material=None, fixed=("Face1",), force=None, pressure=None
                 allow_topological=False):
     """Text of a deck that ccx runs as it is.
 
-    mesh        see elements_of; order 1 (C3D8), 2 (C3D20; of a mesh of order 1 with straight edges, and a comment says
-                so), None: the mesh's own
-    element     C3D8, C3D8R, C3D20 or C3D20R; None: C3D8 or C3D20
+    mesh        see elements_of; order 1 (C3D8), 2 (C3D20R; a mesh of order 1 is curved on the solid it was made of, or
+                a comment says why not: see curving.raising), None: the mesh's own
+    element     C3D8, C3D8R, C3D20 or C3D20R; None: see femmesh.element_types.default_type
     material    see material.material_of
     fixed       names of CAD faces, or of groups of the mesh, held in x, y, z; so are the names of loads
     force       {"Face2": (fx, fy, fz)} total force in N, as consistent nodal loads
@@ -44,6 +44,7 @@ def static_deck(mesh, material=None, fixed=("Face1",), force=None, pressure=None
     Raises ToolError: BAD_OPTION (no such face, nothing held, no load but zero), BAD_MESH, TOPOLOGICAL_MESH.
     """
     refuse_topological(mesh, allow_topological)
+    mesh, straight = raised(mesh, order)
     elements = elements_of(mesh, order)
     material = material_of(material)
     if not fixed and prescribed is None:
@@ -51,7 +52,7 @@ def static_deck(mesh, material=None, fixed=("Face1",), force=None, pressure=None
                         "a singular system", FaultCode.BAD_OPTION)
     check_loads(force, pressure, prescribed)
     out = io.StringIO()
-    out.write("** HexCon: linear static analysis; N, mm, MPa\n" + (f"** {RAISED}\n" if is_raised(mesh, order) else ""))
+    out.write("** HexCon: linear static analysis; N, mm, MPa\n" + (f"** {straight}\n" if straight else ""))
     write_mesh(out, elements, element)
     out.write(f"*MATERIAL, NAME=SOLID\n*ELASTIC\n{material.young!r}, {material.poisson!r}\n"
               f"*DENSITY\n{material.density!r}\n"

@@ -117,7 +117,8 @@ def add_hexes(command, method="auto"):
     command.add_argument("--order", type=int, choices=(1, 2),
                          help="2: mid-edge nodes, on the solid (default 1, or that of --element-type)")
     command.add_argument("--element-type", choices=list(ELEMENT_TYPES),
-                         help="what .inp and solve get (default C3D8, of order 2 C3D20); R: reduced integration")
+                         help="what .inp and solve get (default C3D8; of order 2 C3D20R, but C3D20 where hexes "
+                              "stand in single rows); R: reduced integration")
 
 
 def _add_filling(command, method="auto"):

@@ -62,7 +62,7 @@ def mesh_solid_object(solid_object, size, *, surface_method="auto", method="auto
     local_sizes, per_turn  smaller elements at places of the solid, as hexcon.quads.surface_from_solid
     layers          cells: at least so many layers of plain hexes under the surface
     pillow          sheets of hexes under the surface, as hexcon_native.mesh; at most 3 here
-    order           1 (C3D8) or 2 (C3D20)
+    order           1 (C3D8) or 2 (C3D20R)
     budget          seconds after which the best mesh until then is taken; 0: no limit
     timeout         seconds for gmsh
     allow_topological  make the object even by a method of topology only; it is marked as such

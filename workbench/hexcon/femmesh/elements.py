@@ -206,7 +206,7 @@ def elements_of(mesh, order=None):
     Raises ToolError: BAD_MESH for broken arrays, BAD_OPTION for another order.
     """
     if order not in (None, 1, 2):
-        raise ToolError(f"order {order!r}: 1 (C3D8) or 2 (C3D20) is possible",
+        raise ToolError(f"order {order!r}: 1 (C3D8) or 2 (C3D20R) is possible",
                         FaultCode.BAD_OPTION)
     points, hexes = _checked(mesh)
     given = getattr(mesh, "quads", None)

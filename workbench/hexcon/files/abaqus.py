@@ -8,7 +8,7 @@ import re
 
 import numpy as np
 
-from hexcon.femmesh.element_types import element_type
+from hexcon.femmesh.element_types import default_type, element_type
 
 from .text import write_list, write_numbered, write_rows
 
@@ -31,7 +31,7 @@ def write_mesh(stream, elements, element=None):
     Names: NALL, EALL, FACE3_NODES, FACE3, and those of groups by deck_names. Node and element numbers are rows + 1. A
     comment says so where the mesh is topological.
     """
-    kind = element_type(element, elements.order)
+    kind = element_type(element, elements.order) or default_type(elements)
     if elements.topological:
         stream.write("** TOPOLOGICAL: topology only, some Jacobians are zero or negative; not for "
                      "solving\n")
@@ -76,7 +76,7 @@ def deck_names(names, taken=()):
 def write(path, elements, element=None):
     """The mesh with a default material (steel, N and mm): add a step and ccx runs it.
 
-    element  C3D8, C3D8R, C3D20, C3D20R; None: C3D8 or C3D20
+    element  C3D8, C3D8R, C3D20, C3D20R; None: see femmesh.element_types.default_type
     """
     names = deck_names([name for _, name, _ in elements.named()])
     with open(path, "w", encoding="ascii") as stream:

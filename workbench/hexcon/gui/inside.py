@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The inside of a hex mesh in the 3D view: whole hexes, coloured by scaled Jacobian."""
-from hexcon.femmesh.hexahedron import EDGES
 from hexcon.freecad_compat import DRAWN_BY_FEM, shape_of
-from hexcon.inspection.faces import edges_of_quads
 from hexcon.inspection.opening import Opening
+from hexcon.inspection.tessellation import edges_in_pieces, tessellated
 from hexcon.pictures.palette import quality_colours
 
 from .camera import look_at
@@ -21,7 +20,7 @@ class Inside(Drawing):
     """The drawing of one opened mesh.
 
     mesh        the InspectedMesh
-    opening     the Opening that is seen;  kept (H,) bool: the hexes it leaves
+    opening     the Opening that is seen;  kept (H,) bool: the hexes it leaves;  face_count: faces drawn of them
     element     the number of the hex that is outlined, or None
     """
 
@@ -38,14 +37,16 @@ class Inside(Drawing):
     def open(self, opening):
         """See the mesh opened so."""
         self.kept = opening.keep(self.mesh)
-        points, quads, hex_of_quad = opening.drawn(self.mesh, self.kept)
-        self.faces.show(points, quads, self._colours[hex_of_quad], edges_of_quads(quads, len(points)))
+        points, faces, hex_of_face = opening.drawn(self.mesh, self.kept)
+        points, quads, face_of_quad, edges = tessellated(points, faces)
+        self.faces.show(points, quads, self._colours[hex_of_face[face_of_quad]], edges)
+        self.face_count = len(faces)
         self.opening = opening
 
     def choose(self, element):
         """Outline the hex with this number over everything else; None: no hex."""
         row = None if element is None else self.mesh.row_of(element)
-        outline = None if row is None else edges_on_top(self.mesh.points[self.mesh.hexes[row]], EDGES,
+        outline = None if row is None else edges_on_top(*edges_in_pieces(self.mesh.points[self.mesh.nodes[row]]),
                                                         CHOSEN, CHOSEN_WIDTH)
         self._outline = self.instead(self._outline, outline)
         self.element = element

@@ -257,11 +257,11 @@ class InspectPanel(DrawingPanel):
     def _draw(self, prepared=None):
         self.perform("show_inside", prepared, **self._settings())
         drawing = inside.drawings.find(self.about())
-        return words.of_opening(self._mesh, drawing.kept, drawing.faces.count)
+        return words.of_opening(self._mesh, drawing.kept, drawing.face_count)
 
     def _say(self):
         drawing = inside.drawings.find(self.about())
-        self.result.setText(words.as_html(words.of_opening(self._mesh, drawing.kept, drawing.faces.count)))
+        self.result.setText(words.as_html(words.of_opening(self._mesh, drawing.kept, drawing.face_count)))
 
     # ------------------------------------------------------------------------------------- the worst
 

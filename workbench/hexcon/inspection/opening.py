@@ -6,7 +6,7 @@ import numpy as np
 
 import hexcon_native
 from hexcon.errors import FaultCode, ToolError
-from hexcon.femmesh.hexahedron import FACES
+from hexcon.femmesh.hexahedron import FACES, FACES_8
 from hexcon.femmesh.second_order import curved_edges
 
 from .cutting import AXES, behind_plane, centres_of
@@ -18,8 +18,8 @@ from .stages import ALL, stage_of_hex
 class InspectedMesh:
     """What has to be known of a hex mesh before it can be opened any way.
 
-    points (P,3), hexes (H,8), which are drawn, hex_ids (H,) the elements' own numbers, quality hexcon_native.Quality,
-    curved: so many hexes of order 2 have edges that are not straight, and were judged with them,
+    points (P,3), hexes (H,8) their corners, nodes (H,8|20) what is drawn, hex_ids (H,) the elements' own numbers,
+    quality hexcon_native.Quality, curved: so many hexes of order 2 have edges that are not straight,
     centres (H,3), across (H,6) of faces.neighbours, layer (H,) of peeling.layers,
     stages [(name, hexes)] from outside to inside, stage (H,) rows in them
     """
@@ -28,7 +28,8 @@ class InspectedMesh:
         """found   mesh-like: .points, .hexes (H,8|20) in VTK order, .hex_ids (else: rows)
         stages  [(name, hexes)] of stages.counts_of; where they are of another mesh, or none, all hexes are one"""
         self.points = np.ascontiguousarray(found.points, float)
-        self.hexes = np.ascontiguousarray(np.asarray(found.hexes)[:, :8], np.int64)
+        self.nodes = np.ascontiguousarray(found.hexes, np.int64)
+        self.hexes = np.ascontiguousarray(self.nodes[:, :8])
         self.hex_ids = np.asarray(getattr(found, "hex_ids", np.arange(len(self.hexes))))
         self.quality = hexcon_native.quality(self.points, found.hexes)
         self.curved = int(curved_edges(self.points, np.asarray(found.hexes)).any(axis=1).sum())
@@ -123,20 +124,22 @@ class Opening:
         return kept
 
     def drawn(self, mesh, keep):
-        """(points (p,3), quads (q,4), hex_of_quad (q,)): the faces to draw of the kept hexes.
+        """(points (p,3), faces (q,4|8), hex_of_face (q,)): the faces to draw of the kept hexes, see tessellation.
 
         The bare ones; of hexes that stand apart every face of those with a bare face and of their
         neighbours, as behind them no gap leads far.
         """
         rows, sides = bare_faces(mesh.across, keep)
+        count = mesh.nodes.shape[1]
+        nodes = FACES if count == 8 else FACES_8
         if not self.shrink:
-            return mesh.points, mesh.hexes[rows[:, None], FACES[sides]], rows
+            return mesh.points, mesh.nodes[rows[:, None], nodes[sides]], rows
         near = mesh.across[np.unique(rows)]
         seen = np.zeros(len(mesh.hexes), bool)
         seen[rows] = True
         seen[near[near >= 0]] = True
         seen = np.flatnonzero(seen & keep)
-        corners = mesh.points[mesh.hexes[seen]]
-        corners += self.shrink * (mesh.centres[seen, None] - corners)
-        quads = (8 * np.arange(len(seen))[:, None, None] + FACES).reshape(-1, 4)
-        return corners.reshape(-1, 3), quads, np.repeat(seen, 6)
+        places = mesh.points[mesh.nodes[seen]]
+        places += self.shrink * (mesh.centres[seen, None] - places)
+        faces = (count * np.arange(len(seen))[:, None, None] + nodes).reshape(-1, nodes.shape[1])
+        return places.reshape(-1, 3), faces, np.repeat(seen, 6)

@@ -16,7 +16,7 @@ PILLOWS = {"auto": QT_TRANSLATE_NOOP("HexCon", "automatic"), "never": QT_TRANSLA
            "1": QT_TRANSLATE_NOOP("HexCon", "one sheet"), "2": QT_TRANSLATE_NOOP("HexCon", "two sheets"),
            "3": QT_TRANSLATE_NOOP("HexCon", "three sheets")}
 ORDERS = {1: QT_TRANSLATE_NOOP("HexCon", "first order (C3D8)"),
-          2: QT_TRANSLATE_NOOP("HexCon", "second order (C3D20)")}
+          2: QT_TRANSLATE_NOOP("HexCon", "second order (C3D20R)")}
 MOST_LISTED = 10
 
 
@@ -152,8 +152,8 @@ def of_opening(mesh, kept, faces):
             (translate("HexCon", "Scaled Jacobian"), _quality(mesh.quality))]
     if mesh.curved:
         rows.append((translate("HexCon", "Note"), translate(
-            "HexCon", "{count} hexes have curved edges, which are drawn straight here; colours and figures are of "
-            "the curved hexes").format(count=count(mesh.curved))))
+            "HexCon", "{count} hexes have curved edges; colours and figures are theirs").format(
+                count=count(mesh.curved))))
     return rows
 
 

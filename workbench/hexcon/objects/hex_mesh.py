@@ -27,7 +27,7 @@ PROPERTIES = (
      f"methods {', '.join(methods_that(lambda method: method.layers))}", 0, False),
     ("App::PropertyEnumeration", "Pillow", "HexCon", "Sheets of hexes under the whole surface: one where it makes a "
      "poor worst hex clearly better, none, or so many; not for methods of topology only", CHOICES, False),
-    ("App::PropertyEnumeration", "Order", "HexCon", "1: C3D8, 2: C3D20, edges of the boundary on the solid", ORDERS, False),
+    ("App::PropertyEnumeration", "Order", "HexCon", "1: C3D8, 2: C3D20R, edges of the boundary on the solid", ORDERS, False),
     ("App::PropertyEnumeration", ELEMENT_TYPE, "HexCon", "What CalculiX gets from Hold, load and solve and from an exported "
      ".inp; R: reduced integration. FreeCAD's own solver object writes C3D8 and C3D20", ELEMENT_CHOICES, False),
     ("App::PropertyFloat", "Budget", "HexCon", "Seconds after which the best mesh until then is taken; 0: no limit",

@@ -9,17 +9,16 @@ import numpy as np
 
 import hexcon_native
 from hexcon import child, disk
-from hexcon.curving.curving_worker.quad_shape import quad_shape
 from hexcon.errors import FaultCode, ToolError
 from hexcon.femmesh.elements import elements_of
 from hexcon.femmesh.hexahedron import FACES, FACES_8
 from hexcon.files import replace_file
 from hexcon.inspection.cutting import behind_plane, centres_of
 from hexcon.inspection.faces import bare_faces, neighbours
+from hexcon.inspection.tessellation import weights_of_faces
 from hexcon.interpreter import python
 
 _FOLDER = os.path.dirname(os.path.abspath(__file__))
-_PIECES, _FEW_PIECES, _MANY = 4, 2, 20000   # flat pieces along an edge of order 2; fewer where there are many faces
 
 
 def render(mesh, path, *, displacements=None, warp=None, cut="auto", title=None,
@@ -88,12 +87,10 @@ def _faces_to_draw(elements, keep):
     across = neighbours(hexes[:, :8], len(elements.points))
     outside, shown = (bare_faces(across, one) for one in (np.ones(len(hexes), bool), keep))
     nodes = FACES if elements.order == 1 else FACES_8
-    pieces = 1 if elements.order == 1 else _PIECES if len(outside[0]) < _MANY else _FEW_PIECES
-    along = np.linspace(-1.0, 1.0, pieces + 1)
     return {"outside": hexes[outside[0][:, None], nodes[outside[1]]],
             "shown": hexes[shown[0][:, None], nodes[shown[1]]],
             "shown_hexes": shown[0], "cut": not keep.all(),
-            "weights": np.array([quad_shape(nodes.shape[1], u, v)[0] for v in along for u in along])}
+            "weights": weights_of_faces(nodes.shape[1], len(outside[0]))}
 
 
 def _round_factor(factor):

@@ -150,8 +150,7 @@ class CornerPlaces:
         return out
 
     def _neighbours(self):
-        """Per corner those near it (n,), how far they are away (n, 3), the local edge length, whether no curve joins
-        them (n,) and whether a very short one does (n,)."""
+        """Per corner [(other corner, length of the curve between or inf)] of those that are near or joined."""
         corners = self._corners
         joined = {}
         for curve in self.model.curves:
@@ -163,13 +162,8 @@ class CornerPlaces:
             return []
         scale = self.skin.scale[self.skin.tree.query(corners)[1]]
         near = cKDTree(corners).query_ball_point(corners, REACH * scale)
-        out = []
-        for k, found in enumerate(near):
-            others = np.array([j for j in sorted(found) if j != k], int)
-            length = np.array([joined.get((k, j), np.inf) for j in others.tolist()])
-            # an edge between them that no curve can use; a curve so short that there should be one
-            out.append((others, corners[others] - corners[k], scale[k], np.isinf(length), length < SHORT * scale[k]))
-        return out
+        return [[(j, joined.get((k, j), np.inf), scale[k]) for j in sorted(found) if j != k]
+                for k, found in enumerate(near)]
 
     def blame(self, k, v):
         """Make a place dearer, the more the worse it is: one that fits well is hardly at fault."""
@@ -184,8 +178,8 @@ class CornerPlaces:
         column = {v: i for i, v in enumerate(columns)}
         cost = np.full((len(corners), len(columns)), 1e6)
         for k in corners:
-            for v in self._candidates[k]:
-                cost[k, column[v]] = self._alone(k, v)
+            for v, value in self._candidates[k].items():
+                cost[k, column[v]] = value + self._blamed.get((k, v), 0.0)
         if len(columns) < len(corners):
             raise NotCaptured("corner", f"{len(corners)} corners crowd round {len(columns)} vertices: smaller elements "
                               "are needed", self.model.corners[0], corners=corners)
@@ -203,9 +197,17 @@ class CornerPlaces:
         for _ in range(SWEEPS):
             moved = False
             for k in range(len(vertex)):
-                found = self._better(vertex, k, at)
+                here = int(vertex[k])
+                best, found = 1e-9, None
+                for v in self._candidates[k]:
+                    other = at.get(v)
+                    if v == here or (other is not None and here not in self._candidates[other]):
+                        continue
+                    gain = self._gain(vertex, k, v, other)
+                    if gain > best:
+                        best, found = gain, v
                 if found is not None:
-                    here, other = int(vertex[k]), at.pop(found, None)
+                    other = at.pop(found, None)
                     del at[here]
                     vertex[k], at[found] = found, k
                     if other is not None:
@@ -214,50 +216,36 @@ class CornerPlaces:
             if not moved:
                 return
 
-    def _better(self, vertex, k, at):
-        """The vertex by which the cost falls most, if corner k takes it and the corner there takes k's, or None."""
-        here = int(vertex[k])
-        places = [v for v in self._candidates[k] if v != here and
-                  (v not in at or here in self._candidates[at[v]])]
-        if not places:
-            return None
-        now, *costs = self._costs_at(vertex, k, [here, *places])
-        best, found = 1e-9, None
-        for v, cost in zip(places, costs):
-            gain = now - cost
-            if v in at:
-                gain = self._gain_of_swap(vertex, k, at[v], now, best)
-            if gain > best:
-                best, found = gain, v
-        return found
-
-    def _gain_of_swap(self, vertex, k, other, now, least):
-        """By how much the cost falls when corner k, whose cost is `now`, and another change places; 0 where it is not
-        by more than `least` anyhow."""
-        pair = [k, other]
-        before = now + self._costs_at(vertex, other, [int(vertex[other])])[0]
-        if before - self._alone(k, int(vertex[other])) - self._alone(other, int(vertex[k])) <= least:
-            return 0.0      # what neighbours add is never negative
-        vertex[pair] = vertex[pair[::-1]]
-        after = sum(self._costs_at(vertex, j, [int(vertex[j])])[0] for j in pair)
-        vertex[pair] = vertex[pair[::-1]]
+    def _gain(self, vertex, k, v, other):
+        """By how much the cost falls when corner k takes v, and the corner there takes k's vertex."""
+        changed = [k] if other is None else [k, other]
+        before = sum(self._cost(vertex, j) for j in changed)
+        here = vertex[k]
+        vertex[k] = v
+        if other is not None:
+            vertex[other] = here
+        after = sum(self._cost(vertex, j) for j in changed)
+        vertex[k] = here
+        if other is not None:
+            vertex[other] = v
         return before - after
 
-    def _alone(self, k, v):
-        """What corner k costs at vertex v without its neighbours."""
-        return self._candidates[k][v] + self._blamed.get((k, v), 0.0)
-
-    def _costs_at(self, vertex, k, places):
-        """Cost of corner k at each of some vertices, while all others stay."""
-        alone = np.array([self._alone(k, v) for v in places])
-        others, away, scale, unjoined, short = self._near[k]
-        if not len(others):
-            return alone.tolist()
-        theirs, mine = vertex[others][None], np.array(places)[:, None]
-        off = self.skin.points[theirs] - self.skin.points[mine] - away
-        far = np.sqrt((off * off).sum(axis=2)) / scale
-        joined = self.skin.are_joined(np.broadcast_to(mine, far.shape), np.broadcast_to(theirs, far.shape))
-        return (alone + (0.4 * far + np.where(joined, BLOCKED * unjoined, APART * short)).sum(axis=1)).tolist()
+    def _cost(self, vertex, k):
+        skin, v, count = self.skin, int(vertex[k]), len(self.skin.points)
+        cost = self._candidates[k][v] + self._blamed.get((k, v), 0.0)
+        if not self._near[k]:
+            return cost
+        others = [j for j, _, _ in self._near[k]]
+        apart = skin.points[vertex[others]] - skin.points[v]
+        off = apart - (self._corners[others] - self._corners[k])
+        for (j, length, scale), far in zip(self._near[k], np.sqrt((off * off).sum(axis=1)).tolist()):
+            cost += 0.4 * far / scale
+            joined = v * count + int(vertex[j]) in skin.joined
+            if joined and np.isinf(length):             # an edge that no curve can use
+                cost += BLOCKED
+            if length < SHORT * scale and not joined:
+                cost += APART
+        return cost
 
 
 def _patches_around(skin, guess):

@@ -217,10 +217,7 @@ def _in_place(mesh, features, sliding):
     start = placed(mesh, features, sliding)
     if hn.quality(start, mesh.hexes).min >= STRUCTURED:
         return start, True
-    points, folded = spread(mesh, features, sliding, start)
-    if folded > few(mesh):      # nothing inside unfolds so many
-        return points, False
-    points = sliding.relax_inside(evened_inside(mesh, points), threads=1)
+    points = sliding.relax_inside(evened_inside(mesh, spread(mesh, features, sliding, start)), threads=1)
     points = sliding.relax(points, (True,), threads=1)
     return _unfolded(points, mesh, sliding), False
 

@@ -12,7 +12,7 @@ class Skin:
     """quads (n, 4), under (n,) and vertices (V,) of a hex mesh; inside, vertices are numbered 0 to V - 1.
 
     points (V, 3); rows (n, 4) the quads in those numbers; scale (V,) the longest of a vertex's edges; normals and
-    centres (n, 3) of quads; edge_of (4 n,) undirected edge of a half-edge.
+    centres (n, 3) of quads; edge_of (4 n,) undirected edge of a half-edge; joined {V a + b} of half-edges from a to b.
     Cost: O(H log H).
     """
 
@@ -34,6 +34,7 @@ class Skin:
         normals = np.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 1])
         self.normals = normals / np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
         self.centres = p.mean(axis=1)
+        self.joined = set((tail * n + head).tolist())
         self._first = np.argsort(tail, kind="stable")[np.concatenate([[0], np.cumsum(self.valence)[:-1]])]
 
         self.turn_of = self._turns()
@@ -47,10 +48,6 @@ class Skin:
             more = k < self.valence
             out[here[more]] = k
         return out
-
-    def are_joined(self, a, b):
-        """Whether vertices have an edge in common, pair by pair."""
-        return self.half_edges.find(a, b) >= 0
 
     def outgoing(self, v):
         """Half-edges that leave vertex v, counter-clockwise seen from outside."""

@@ -8,16 +8,13 @@ held on both. That untangles as any hexes do.
 """
 import numpy as np
 
-import hexcon_native as hn
-
 from .sliding import FREE, STAYS
 
 THICK = 0.5             # of the median edge of a patch's quads, and of a radius at most: its layer of hexes
 
 
 def spread(mesh, features, sliding, points):
-    """(points (P, 3) with those of patches moved until hardly any quad is folded, how many still are); points of curves
-    and inside stay.
+    """(P, 3) points with those of patches moved until hardly any quad is folded; curves' points and the inside stay.
 
     mesh: a CapturedMesh; sliding: its Sliding; points (P, 3) on what they slide on. Linear, as hexcon_native.relax is.
     """
@@ -30,12 +27,13 @@ def spread(mesh, features, sliding, points):
             above = len(sliding.carriers) + len(outer)
             outer.append(layer.outer)
         carriers += [np.where(layer.slides, layer.row, STAYS), np.where(layer.slides, above, STAYS)]
-    hexes = np.vstack([layer.hexes + at for at, layer in zip(first, layers)])
-    found = sliding.relaxed_hexes(np.vstack([layer.places for layer in layers]), hexes, np.concatenate(carriers), outer)
+    found = sliding.relaxed_hexes(np.vstack([layer.places for layer in layers]),
+                                  np.vstack([layer.hexes + at for at, layer in zip(first, layers)]),
+                                  np.concatenate(carriers), outer)
     points = points.copy()
     for at, layer in zip(first, layers):
         points[layer.ids[layer.slides]] = found[at:at + len(layer.ids)][layer.slides]
-    return sliding.project(points), np.count_nonzero(hn.quality(found, hexes).scaled_jacobian <= 0.0)
+    return sliding.project(points)
 
 
 class _Layer:
