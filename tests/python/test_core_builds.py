@@ -27,7 +27,8 @@ def package(tmp_path):
 def core_of(package):
     """(path of the core that an import of that package takes or None, what it says)."""
     done = subprocess.run([sys.executable, "-c", "import hexcon_native; print(hexcon_native._core.__file__)"],
-                          cwd=package.parent, env={"PYTHONPATH": str(package.parent)}, capture_output=True, text=True, check=False)
+                          cwd=package.parent, env={"PYTHONPATH": str(package.parent)}, capture_output=True, text=True,
+                          check=False)
     return (pathlib.Path(done.stdout.strip()) if done.returncode == 0 else None), done.stderr
 
 
