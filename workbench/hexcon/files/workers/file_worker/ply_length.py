@@ -17,7 +17,7 @@ _END = b"end_header"
 
 
 def check_ply(path):
-    """Raise Refusal where an element has fewer rows than the header says; what that does not tell is left to VTK."""
+    """Raise Refusal where an element has fewer rows than the header says; what that misses is left to VTK."""
     with open(path, "rb") as stream, mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ) as data:
         end = data.find(_END)
         if end < 0:
