@@ -5,6 +5,7 @@ import os
 import subprocess
 import sys
 import tempfile
+import time
 
 import numpy as np
 
@@ -16,17 +17,19 @@ METHODS = ("diced", "cells")
 COARSENING = 0.5                        # of tetrahedra away from the quads
 ALGORITHMS = ("Delaunay", "HXT")        # of the worker of tetrahedra, the better one first
 PATIENCE = 30.0                         # seconds for it
+SECONDS = 5.0                           # that a method has at least
 
 
-def filled(points, quads, name):
+def filled(points, quads, name, end):
     """The hexcon_native.Mesh of closed quads, outward, by the first of METHODS that comes to one.
 
-    name: of the room. Raises NotLayered.
+    name: of the room; end: of processor time. Raises NotLayered.
     """
     told = []
     for method in METHODS:
         try:
-            return hn.mesh(points, quads, method, threads=1, tetrahedralise=_tetrahedra)
+            return hn.mesh(points, quads, method, threads=1, tetrahedralise=_tetrahedra,
+                           budget=max(end - time.process_time(), SECONDS))
         except hn.HexconError as fault:
             told.append(f"{method}: {fault}")
     raise NotLayered(f"{name}: {len(quads)} quads are not filled: " + "; ".join(told))

@@ -71,7 +71,7 @@ def filled_mesh(shape, skin, rooms, size, link, end):
         made = [cover for room in rooms
                 for cover in covers(path, room, corners[room.on_sides(corners, near)], skin, size, near)]
     points, quads, owner = _closed(rest, shell, rim, made)
-    return _whole(shape, skin, rest, points, quads, owner, len(rooms), near)
+    return _whole(shape, skin, rest, points, quads, owner, len(rooms), near, end)
 
 
 def _rest(path, rest_path, rooms, skin, size, near, link, end):
@@ -153,11 +153,11 @@ def _closed(rest, shell, rim, made):
     return np.concatenate(points), np.concatenate(quads), np.concatenate(owner)
 
 
-def _whole(shape, skin, rest, points, quads, owner, rooms, near):
+def _whole(shape, skin, rest, points, quads, owner, rooms, near, end):
     turned, hexes, methods, filler = _outward(points, quads), [rest.hexes], [], 0.0
     for k, rows in enumerate(_bodies(turned)):
         ids, packed = np.unique(turned[rows], return_inverse=True)
-        mesh = filled(points[ids], packed.reshape(-1, 4), f"room {k + 1}")
+        mesh = filled(points[ids], packed.reshape(-1, 4), f"room {k + 1}", end)
         names = np.concatenate([ids, len(points) + np.arange(len(mesh.points) - len(ids))])
         points = np.concatenate([points, mesh.points[len(ids):]])
         hexes.append(names[mesh.hexes])

@@ -14,8 +14,8 @@ from .rooms import rooms_of
 
 FACTORS = (1.0, 0.7)
 LEAST = 0.05        # scaled Jacobian
-ROUNDS, TARGET = 1, 0.15     # of improving what is worst; the parts are improved already
-SHARE = 0.4         # of the time limit, in processor time: no try is begun then
+ROUNDS, TARGET = 1, 0.2     # of improving what is worst; the parts are improved already
+SHARE = 0.25        # of the time limit, in processor time: no try is begun then
 MOST_ROOMS = 12
 
 
