@@ -136,6 +136,8 @@ def test_other_programs_do_not_get_the_bundles_libraries(appimage, monkeypatch, 
     monkeypatch.setattr(sys, "base_prefix", str(usr))
     assert child.program_environment("/bin/ls")["LD_LIBRARY_PATH"] == "/opt/mine"
     ccx = executable(usr / "bin" / "ccx", "#!/bin/sh\n")
+    assert child.python_environment(program)["PYTHONHOME"] == str(usr)       # FreeCAD itself
+    assert "PYTHONHOME" not in child.python_environment("/usr/bin/python3")
     assert child.program_environment(ccx)["LD_LIBRARY_PATH"] == f"{usr}/lib:/opt/mine"
     environment = child.python_environment("/usr/bin/python3")
     ended = child.run(["/usr/bin/python3", "-c", "print('starts')"], "Python", environment=environment)

@@ -179,11 +179,13 @@ def python_environment(python, folders=(), **more):
 
     python   the program;  folders: where it finds modules first;  more: other variables
     PYTHONPATH, but for its relative entries (an empty one is the working folder), and PYTHONHOME go along only to the
-    interpreter that they were set for: this one, or FreeCAD's own, which also gets what the Addon Manager has installed.
+    interpreter that they were set for: this one, or FreeCAD's own, which also gets what the Addon Manager has installed;
+    PYTHONHOME to all programs of FreeCAD's bundle.
     """
     own = _is_own(python)
     given = os.environ.get("PYTHONPATH", "").split(os.pathsep) + added_packages() if own else []
-    left_out = {"PYTHONPATH", "PYTHONINSPECT", "PYTHONSTARTUP"} | (set() if own else {"PYTHONHOME"})
+    bundled = interpreter.is_bundled(shutil.which(python) or python)
+    left_out = {"PYTHONPATH", "PYTHONINSPECT", "PYTHONSTARTUP"} | (set() if own or bundled else {"PYTHONHOME"})
     kept = {name: value for name, value in program_environment(python).items() if name not in left_out}
     path = os.pathsep.join([*folders, *(entry for entry in given if os.path.isabs(entry))])
     if path:
