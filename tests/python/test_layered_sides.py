@@ -10,12 +10,17 @@ from hexcon.errors import FaultCode, ToolError
 from hexcon.quads import surface_from_solid
 
 
-def frustum(low, high, half, top, ratio=1.3):
-    """Python for gmsh: a frustum between two rectangles about the z axis, (2 half * ratio) x (2 half) below."""
-    wires = ", ".join(f"(lambda p: occ.addCurveLoop([occ.addLine(p[i], p[(i + 1) % 4]) for i in range(4)]))"
-                      f"([occ.addPoint({a * ratio} * x, {a} * y, {z}) for x, y in zip((-1, 1, 1, -1), (-1, -1, 1, 1))])"
-                      for z, a in ((low, half), (high, top)))
+def ruled(*rectangles):
+    """Python for gmsh: what lies between two rectangles (x0, x1, y0, y1) at heights z, each given as (x0, x1, y0, y1, z)."""
+    wires = ", ".join("(lambda p: occ.addCurveLoop([occ.addLine(p[i], p[(i + 1) % 4]) for i in range(4)]))"
+                      f"([occ.addPoint(x, y, {z}) for x, y in (({a}, {c}), ({b}, {c}), ({b}, {d}), ({a}, {d}))])"
+                      for a, b, c, d, z in rectangles)
     return f"occ.addThruSections([{wires}], makeRuled=True)"
+
+
+def frustum(low, high, half, top, ratio=1.3):
+    """A frustum between two rectangles about the z axis, (2 half * ratio) x (2 half) below."""
+    return ruled(*((-a * ratio, a * ratio, -a, a, z) for z, a in ((low, half), (high, top))))
 
 
 def pulled(place, axis):
@@ -45,6 +50,9 @@ BOSS = (f"occ.cut(occ.fuse([{PLATE}], [(3, occ.addCone(6, 6, 2, 0, 0, 6, 4, 3))]
 TAPERED = "occ.cut([(3, occ.addBox(0, 0, 0, 16, 12, 5))], [(3, occ.addCone(6, 6, 2, 0, 0, 3, 2, 2.5))])"
 FLUSH = f"occ.fuse([{PLATE}], [(3, occ.addCone(16, 6, 2, 0, 0, 6, 4, 3.5))])"
 
+RAMPED = ("occ.cut(occ.fuse([(3, occ.addBox(0, 0, 0, 22, 10, 2))], "
+          f"{ruled((4, 18, 4, 6, 2), (9, 13, 4, 6, 7))})[0], [(3, occ.addCylinder(20, 5, -1, 0, 0, 4, 0.8))])")
+
 # name: (solid, size, faces, of those aslant, worst scaled Jacobian, mean, volume or None, tolerance of it)
 SOLIDS = {"tray": (TRAY, 2.0, 11, 8, 0.6, 0.9,
                    frustum_volume(0, 8, 10, 9) - frustum_volume(3, 8, 6.5, 7.1), 1e-9),
@@ -52,6 +60,7 @@ SOLIDS = {"tray": (TRAY, 2.0, 11, 8, 0.6, 0.9,
           "stepped": (STEPPED, 2.0, 11, 8, 0.9, 0.97,
                       frustum_volume(0, 4, 10, 9.6) + frustum_volume(4, 9, 6, 5.5), 1e-9),
           "slotted": (SLOTTED, 2.5, 10, 4, 0.9, 0.97, None, 1e-9),
+          "ramps": (RAMPED, 1.6, 12, 2, 0.45, 0.85, 440 + 5 * 2 * (14 + 4) / 2 - 2 * np.pi * 0.8 ** 2, 0.01),
           "boss": (BOSS, 1.5, 9, 1, 0.6, 0.9, 384 + cone_volume(6, 4, 3) - np.pi * 1.5 ** 2 * 8, 0.02),
           "tapered": (TAPERED, 1.5, 8, 1, 0.7, 0.9, 960 - cone_volume(3, 2, 2.5), 0.02),
           "flush": (FLUSH, 1.5, 9, 1, 0.7, 0.9, None, 0.02)}
