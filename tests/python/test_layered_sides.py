@@ -11,7 +11,7 @@ from hexcon.quads import surface_from_solid
 
 
 def ruled(*rectangles):
-    """Python for gmsh: what lies between two rectangles (x0, x1, y0, y1) at heights z, each given as (x0, x1, y0, y1, z)."""
+    """Python for gmsh: what lies between two rectangles, each given as (x0, x1, y0, y1, z)."""
     wires = ", ".join("(lambda p: occ.addCurveLoop([occ.addLine(p[i], p[(i + 1) % 4]) for i in range(4)]))"
                       f"([occ.addPoint(x, y, {z}) for x, y in (({a}, {c}), ({b}, {c}), ({b}, {d}), ({a}, {d}))])"
                       for a, b, c, d, z in rectangles)
@@ -60,7 +60,7 @@ SOLIDS = {"tray": (TRAY, 2.0, 11, 8, 0.6, 0.9,
           "stepped": (STEPPED, 2.0, 11, 8, 0.9, 0.97,
                       frustum_volume(0, 4, 10, 9.6) + frustum_volume(4, 9, 6, 5.5), 1e-9),
           "slotted": (SLOTTED, 2.5, 10, 4, 0.9, 0.97, None, 1e-9),
-          "ramps": (RAMPED, 1.6, 12, 2, 0.45, 0.85, 440 + 5 * 2 * (14 + 4) / 2 - 2 * np.pi * 0.8 ** 2, 0.01),
+          "ramps": (RAMPED, 1.6, 12, 2, 0.35, 0.85, 440 + 5 * 2 * (14 + 4) / 2 - 2 * np.pi * 0.8 ** 2, 0.01),
           "boss": (BOSS, 1.5, 9, 1, 0.6, 0.9, 384 + cone_volume(6, 4, 3) - np.pi * 1.5 ** 2 * 8, 0.02),
           "tapered": (TAPERED, 1.5, 8, 1, 0.7, 0.9, 960 - cone_volume(3, 2, 2.5), 0.02),
           "flush": (FLUSH, 1.5, 9, 1, 0.7, 0.9, None, 0.02)}
