@@ -14,6 +14,7 @@ packages="freecad freecad-python3 calculix-ccx python3-gmsh gcc libc6-dev make c
   libgl1-mesa-dri libxtst6 pkg-config tetgen ca-certificates"
 # What differs between systems: files, programs that are called, what libraries draw. The rest is of numpy and our own C.
 chosen="tests/freecad tests/gui tests/python/test_files.py tests/python/test_solver_files.py tests/python/test_reading.py
+  tests/python/test_files_of_gmsh.py tests/python/test_cgns_exodus.py tests/python/test_groups.py
   tests/python/test_cli.py tests/python/test_environment.py tests/python/test_fake_programs.py
   tests/python/test_core_api.py tests/python/test_pictures.py tests/python/test_examples_run.py
   tests/python/test_meshing.py tests/python/test_quads_process.py tests/python/test_signals.py"
