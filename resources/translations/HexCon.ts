@@ -469,7 +469,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>order 2 (C3D20): the same hexes bend, and most of the error goes</source>
+        <source>order 2 (C3D20R): the same hexes bend, and most of the error goes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

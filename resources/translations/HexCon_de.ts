@@ -469,8 +469,8 @@
         <translation>das Teil ohne die Formelemente, welche die Hinweise nennen, oder dort geteilt (F1 sagt wie)</translation>
     </message>
     <message>
-        <source>order 2 (C3D20): the same hexes bend, and most of the error goes</source>
-        <translation>Ordnung 2 (C3D20): dieselben Hexaeder biegen sich, und der größte Teil des Fehlers geht weg</translation>
+        <source>order 2 (C3D20R): the same hexes bend, and most of the error goes</source>
+        <translation>Ordnung 2 (C3D20R): dieselben Hexaeder biegen sich, und der größte Teil des Fehlers geht weg</translation>
     </message>
     <message>
         <source>Before you solve</source>

@@ -23,6 +23,6 @@ def of_poor_hexes(method, order, size=0.0):
              translate("HexCon", "another size: half of it lets small features be taken up"),
              translate("HexCon", "the part without, or split at, the features that the notes name (F1 tells how)")]
     if order == 1:
-        helps.append(translate("HexCon", "order 2 (C3D20): the same hexes bend, and most of the error goes"))
+        helps.append(translate("HexCon", "order 2 (C3D20R): the same hexes bend, and most of the error goes"))
     return [(translate("HexCon", "Before you solve"), translate("HexCon", POOR[method])),
             (translate("HexCon", "What would help"), "; ".join(helps))]
