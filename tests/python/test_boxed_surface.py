@@ -89,3 +89,11 @@ def test_points_are_matched_one_to_one():
     assert (whole._matched(others[order] + [0.6, 0.0, 0.1], others, 1e-9) == order).all()
     with pytest.raises(NotLayered):
         whole._matched(others, others[1:], 1e-9)
+
+
+def test_a_box_that_takes_all_of_the_solid_is_refused(tmp_path):
+    """A square bar bored along."""
+    bar = cut("([(3, occ.addBox(0, 0, 0, 30, 8, 8))],)", "(3, occ.addCylinder(0, 4, 4, 30, 0, 0, 3))")
+    with pytest.raises(ToolError) as caught:
+        surface_from_solid(cad_file(bar, tmp_path / "solid.brep"), 4.0, "boxed")
+    assert caught.value.code is FaultCode.NOT_BOXED and "all of the solid" in str(caught.value)

@@ -100,6 +100,8 @@ def _rest(path, boxes, direction, size, link):
     """([LayeredMesh] of what boxes leave, [places across each box]); boxes get stations where its lines meet them."""
     for _ in range(MOST_ROUNDS):
         with parts.outside(path, boxes) as solids:
+            if not solids:
+                raise NotLayered("boxes take all of the solid")
             standings = [Standing(Shape(solid, size), direction, size) for solid in solids]
             if any([seam.add_lines(box, standing) for box in boxes for standing in standings]):
                 continue
