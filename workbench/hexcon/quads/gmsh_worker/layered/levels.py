@@ -68,7 +68,7 @@ class Levels:
 
     def _rims_round(self, roles):
         """[Rim] of edges between two sides, in the columns whose material they bound."""
-        found = []
+        found = {}
         for c, left, right in self._beside:
             for source in self._pieces[c].sources:
                 faces = set(self._solid.faces_of[source[0].edge])
@@ -78,12 +78,12 @@ class Levels:
                 for k in left + right:
                     low, high = self._over(c, (k, 0)), self._over(c, (k, 1))
                     if (low < z - self._equal).all() and (z + self._equal < high).all():
-                        self._rim(found, k, float(z.mean())).edges.append((c, source))
-        return found
+                        self._rim(found.setdefault(k, []), k, float(z.mean())).edges.append((c, source))
+        return [rim for of_column in found.values() for rim in of_column]
 
     def _rim(self, rims, column, height):
         for rim in rims:
-            if rim.column == column and abs(rim.height - height) < self._equal:
+            if abs(rim.height - height) < self._equal:
                 return rim
         rims.append(Rim(column, height))
         return rims[-1]

@@ -29,15 +29,16 @@ class Upright:
         self._shape, self._plane, self._solid = shape, plane, shape.solid
         self._tiny = DONE * shape.solid.diagonal
         solid = shape.solid
-        sides = [f for f in solid.faces if roles[f] is Role.SIDE] if aslant else []
+        sides = {f for f in solid.faces if roles[f] is Role.SIDE} if aslant else set()
         between = [e for e in solid.edges if len(set(solid.faces_of[e])) == 2
-                   and all(f in sides for f in solid.faces_of[e])]
+                   and sides.issuperset(solid.faces_of[e])]
         rising = [e for e in between if self._rises(e)]
-        storeys = _joined(sides, [solid.faces_of[e] for e in rising])
+        joining = sorted(set(between) - set(rising))
+        storeys = _joined(sorted(sides), [solid.faces_of[e] for e in rising])
         self._seats = {}        # face -> (height, [(face below or above, (k,3) of their edge)]); None: stands upright
         for group in _groups(storeys, [solid.faces_of[e] for e in between]):
             if any(f in aslant for storey in group for f in storeys[storey]):
-                self._seat(group, storeys, [e for e in between if e not in rising], aslant)
+                self._seat(group, storeys, joining, aslant)
         self.moving = {f for f, seat in self._seats.items() if seat is not None}
         self.lateral = [e for e in rising if solid.faces_of[e][0] in self._seats]
         self.corners = self._corners()
@@ -147,15 +148,18 @@ class Upright:
         solid, of = self._solid, self._seats
         ends = [solid.ends[e] for e in self.lateral]
         together = _joined(sorted({v for pair in ends for v in pair}), ends)
+        first = {v: k for k, group in together.items() for v in group}
+        edges = {}
+        for e in self.lateral:
+            edges.setdefault(first[solid.ends[e][0]], []).append(e)
+        for e in sorted(set(solid.edges) - set(self.lateral)):
+            a, b = solid.ends[e]
+            if a != b and a in first and first[a] == first.get(b):
+                raise NotLayered("sides aslant meet in a point", solid.faces_of[e])
         found = {}
-        for group in together.values():
-            edges = [e for e in self.lateral if solid.ends[e][0] in group]
-            edge = max(edges, key=lambda e: (of[solid.faces_of[e][0]] is None, solid.length(e), -e))
+        for k, group in together.items():
+            edge = max(edges[k], key=lambda e: (of[solid.faces_of[e][0]] is None, solid.length(e), -e))
             found |= dict.fromkeys(group, self._corner(edge))
-            for e in solid.edges:
-                a, b = solid.ends[e]
-                if a != b and a in group and b in group and e not in self.lateral:
-                    raise NotLayered("sides aslant meet in a point", solid.faces_of[e])
         for e in solid.edges:
             for face in solid.faces_of[e]:
                 for v in solid.ends[e] if face in of else ():
