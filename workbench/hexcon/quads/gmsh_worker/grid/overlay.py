@@ -75,12 +75,13 @@ class Work:
     hexes: int = 0
 
 
-def overlay(features, h, work, report=lambda stage, fraction: None, levels=0, sizes=None):
+def overlay(features, h, work, report=lambda stage, fraction: None, levels=0, sizes=None, content=False):
     """The Overlay of elements of size h. Raises NotCaptured where cells or paths do not fit the solid.
 
     features: Features of the solid; work: a Work, added to; report(stage, fraction)
     levels: how often cells may be split in two where the solid is narrower than they are
     sizes: None, or a SizeField: elements smaller than h where it is smaller than its largest size, by as much
+    content: whether there is another that may be handed on: then one with folded hexes is not worth the time
     Where hexes are left folded it is no more than a draft: `finished` may yet unfold them. Linear in the cells, but for
     sorting.
     """
@@ -88,7 +89,7 @@ def overlay(features, h, work, report=lambda stage, fraction: None, levels=0, si
     best = None
     report("sheets", 0.0)
     for mesh in _with_sheets(captured, features):
-        found = _filled(mesh, features, h, work, report, best is not None and best.good)
+        found = _filled(mesh, features, h, work, report, content or (best is not None and best.good))
         if best is None or found.rank > best.rank:
             best = found
         if best.good and best.quality.min > GOOD:
@@ -122,11 +123,9 @@ def finished(draft, h, report=lambda stage, fraction: None):
     return _judged(draft.mesh, draft.features, points, sliding, h)
 
 
-def _filled(mesh, features, h, work, report, content=False):
-    """The Overlay of a captured mesh with sheets. It is polished where nothing is folded and hardly any quads cross.
-
-    content: whether there is another that may be handed on, so that a folded one is not worth the time
-    """
+def _filled(mesh, features, h, work, report, content):
+    """The Overlay of a captured mesh with sheets. It is polished where nothing is folded, or, unless one is content
+    with another, hardly anything, and hardly any quads cross."""
     work.hexes += len(mesh.hexes)
     report("slide", 0.0)
     sliding = Sliding(mesh, features)

@@ -92,7 +92,7 @@ class _Tries:
                 continue
             try:
                 found = overlay(features, self.size * one.factor, self.work, self._reporting(number), one.levels,
-                                self.sizes)
+                                self.sizes, self.best is not None)
             except (NotCaptured, ValueError, hn.HexconError) as fault:
                 self.faults.append(f"{one}: {fault}")
                 continue
