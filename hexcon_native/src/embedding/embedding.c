@@ -82,29 +82,48 @@ static const int32_t *quad_of(const scene *s, size_t q) {
   return s->quads + s->node_count * q;
 }
 
-/** Of the corners, or of a curved quad's control points. */
-static void set_box(const scene *s, size_t q, box *out) {
-  static const double origin[3] = {0, 0, 0};
-  const double *nodes[8];
-  curved_patch curved;
-  for (size_t n = 0; n < s->node_count; n++)
-    nodes[n] = s->points + 3 * (size_t)quad_of(s, q)[n];
-  if (s->node_count == 8)
-    curved_patch_set(&curved, nodes, origin);
+static void box_around(ball (*points)[3], int count, box *out) {
   for (int k = 0; k < 3; k++) {
     out->low[k] = INFINITY;
     out->high[k] = -INFINITY;
-    for (int c = 0; c < (s->node_count == 8 ? CURVED_CONTROLS : 4); c++) {
-      ball x = s->node_count == 8 ? curved.controls[c][k] : ball_exact(nodes[c][k]);
-      out->low[k] = fmin(out->low[k], ball_low(x));
-      out->high[k] = fmax(out->high[k], ball_high(x));
+    for (int c = 0; c < count; c++) {
+      out->low[k] = fmin(out->low[k], ball_low(points[c][k]));
+      out->high[k] = fmax(out->high[k], ball_high(points[c][k]));
     }
+  }
+}
+
+/** Of the control points. */
+static void set_curved_box(const scene *s, const int32_t *quad, box *out) {
+  static const double origin[3] = {0, 0, 0};
+  const double *nodes[8];
+  curved_patch curved;
+  for (int n = 0; n < 8; n++)
+    nodes[n] = s->points + 3 * (size_t)quad[n];
+  curved_patch_set(&curved, nodes, origin);
+  box_around(curved.controls, CURVED_CONTROLS, out);
+}
+
+/** Of the corners, which are exact. */
+static void set_straight_box(const scene *s, const int32_t *quad, box *out) {
+  for (int k = 0; k < 3; k++) {
+    double low = INFINITY, high = -INFINITY;
+    for (int c = 0; c < 4; c++) {
+      double x = s->points[3 * (size_t)quad[c] + (size_t)k];
+      low = fmin(low, x);
+      high = fmax(high, x);
+    }
+    out->low[k] = low;
+    out->high[k] = high;
   }
 }
 
 static void set_boxes(scene *s) {
   for (size_t q = 0; q < s->quad_count; q++)
-    set_box(s, q, &s->boxes[q]);
+    if (s->node_count == 8)
+      set_curved_box(s, quad_of(s, q), &s->boxes[q]);
+    else
+      set_straight_box(s, quad_of(s, q), &s->boxes[q]);
 }
 
 /** @param quads  [quad_count][node_count] */
