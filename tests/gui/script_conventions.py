@@ -142,6 +142,7 @@ def f1_opens_the_page():
     menu.popup(QtCore.QPoint(300, 100))
     settle()
     entry = next(action for action in menu.actions() if action.objectName() == "HexCon_Import")
+    wait(entry.isEnabled, "FreeCAD to see that the panel is closed")
     menu.setActiveAction(entry)
     press_f1(menu)
     assert wait(help_window, "the page of the entry").page == "files.md"

@@ -6,6 +6,7 @@ import sys
 import numpy as np
 
 from . import cad, session, short_edges
+from .auto import taken
 from .cad_fit import cad_fit
 from .chord_sizes import within
 from .fault import WorkerFault
@@ -33,20 +34,14 @@ def _run(job, link):
 
 
 def _meshed(solid, job, link):
-    """The arrays of the mesh by the method that is asked for, or by the first of auto's that makes one."""
+    """The arrays of the mesh by the method that is asked for, or by the one that auto takes."""
     if job["method"] != "auto":
         return _made(METHOD_TABLE[job["method"]], solid, job, link, [])
     notes, rows = [], tried_by_auto()
     if not job["sizes"].even:
         notes = [f"auto: {row.refused}: it follows no local sizes" for row in rows if "sizes" not in row.takes]
         rows = [row for row in rows if "sizes" in row.takes]
-    for row in rows:
-        try:
-            return _made(row, solid, job, link, notes)
-        except WorkerFault as fault:
-            if row is rows[-1] or row.refusal not in ("", fault.code):
-                raise
-            notes.append(f"auto: {row.refused}: {fault}")
+    return taken(rows, lambda row, notes: _made(row, solid, job, link, notes), notes, link.settled)
 
 
 def _made(row, solid, job, link, notes):

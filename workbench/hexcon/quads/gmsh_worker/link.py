@@ -17,7 +17,7 @@ class Link:
         self._folder = folder
         self._round = ""
         self._stream = folder and open(os.path.join(folder, "progress.txt"), "w", encoding="utf-8")
-        self._arrays = None
+        self._arrays, self._is_settled = None, False
 
     def progress(self, stage, fraction):
         """Write a line; stage is one word."""
@@ -58,8 +58,17 @@ class Link:
 
     def keep(self, mesh):
         """Leave the best mesh so far in best.npz: the parent takes it where time runs out."""
-        if self._folder and self._arrays:
-            path = os.path.join(self._folder, "best.npz")
-            with open(path + ".part", "wb") as stream:
-                np.savez(stream, **self._arrays(mesh))
-            os.replace(path + ".part", path)
+        if self._folder and self._arrays and not self._is_settled:
+            self._leave(self._arrays(mesh))
+
+    def settled(self, arrays):
+        """A whole mesh is there: keep leaves no other, and only a better whole one comes in its place."""
+        self._is_settled = True
+        if self._folder:
+            self._leave(arrays)
+
+    def _leave(self, arrays):
+        path = os.path.join(self._folder, "best.npz")
+        with open(path + ".part", "wb") as stream:
+            np.savez(stream, **arrays)
+        os.replace(path + ".part", path)

@@ -20,6 +20,7 @@ class SurfaceMethod:
     turn          when auto tries it, from 1 on; 0: never
     refusal       code of the WorkerFault with which auto goes on to the next; "": any
     refused       how auto tells of that
+    natural       its hexes are natural ones
     cavities      it meshes solids with cavities
     leaves_out    edges much shorter than the size can be taken as points before
     spares_volume  it takes smaller elements on round faces, by itself, where chords would cut 1 % of the volume
@@ -36,6 +37,7 @@ class SurfaceMethod:
     turn: int = 0
     refusal: str = ""
     refused: str = ""
+    natural: bool = False
     cavities: bool = True
     leaves_out: bool = False
     spares_volume: bool = False
@@ -48,23 +50,24 @@ _ROWS = (
     SurfaceMethod("auto", "automatic", "the first of the others that can be, in the order of what hexes they lead to",
                   hexes_a_quad=3),
     SurfaceMethod("sweep", "sweep", "solids that go from one cap to another: prisms, pipes, frusta, wedges, bent bars",
-                  "sweep.sweep_surface", ("sizes",), turn=1, refusal="NOT_SWEEPABLE", refused="not swept", cavities=False,
-                  leaves_out=True, filled_by="swept"),
+                  "sweep.sweep_surface", ("sizes",), turn=1, refusal="NOT_SWEEPABLE", refused="not swept", natural=True,
+                  cavities=False, leaves_out=True, filled_by="swept"),
     SurfaceMethod("blocks", "blocks", "round solids, and those with three edges at each corner: quads of a few blocks "
                   "of hexes", "blocks.blocks_surface", turn=2, refusal="NOT_BLOCKS", refused="not of blocks",
-                  cavities=False, leaves_out=True, filled_by="sheets"),
+                  natural=True, cavities=False, leaves_out=True, filled_by="sheets"),
     SurfaceMethod("revolved", "revolved", "turned parts: bodies of revolution by a full turn, with any profile",
                   "revolved.surface.revolved_surface", ("sizes",), turn=3, refusal="NOT_REVOLVED", refused="not revolved",
-                  filled_by="proposal"),
+                  natural=True, filled_by="proposal"),
     SurfaceMethod("layered", "layers", "solids whose faces lie across one direction or along it, or are seen from it: "
                   "plates with bosses, pockets, steps, holes", "layered.tries.layered_surface", ("timeout", "care", "sizes"),
-                  turn=4, refusal="NOT_LAYERED", refused="not layered", leaves_out=True, spares_volume=True, filled_by="proposal"),
+                  turn=4, refusal="NOT_LAYERED", refused="not layered", natural=True, leaves_out=True, spares_volume=True,
+                  filled_by="proposal"),
     SurfaceMethod("boxed", "layers and boxes", "solids of layers but for round holes and bosses across them, each in a box "
                   "with layers of its own", "boxed.tries.boxed_surface", ("timeout", "care"), turn=5,
-                  refusal="NOT_BOXED", refused="not boxed", spares_volume=True, filled_by="proposal"),
+                  refusal="NOT_BOXED", refused="not boxed", natural=True, spares_volume=True, filled_by="proposal"),
     SurfaceMethod("grid", "grid", "any solid whose features are not much smaller than the elements: a grid of hexes that "
                   "takes them up", "grid.tries.grid_surface", ("timeout", "care", "sizes"), turn=6, refused="not gridded",
-                  leaves_out=True, spares_volume=True, filled_by="proposal"),
+                  natural=True, leaves_out=True, spares_volume=True, filled_by="proposal"),
     SurfaceMethod("filled", "layers and filler", "solids of layers and boxes but for rooms, where pipes or bores meet or lie "
                   "askew, which the constrained methods fill", "filler.tries.filled_surface", ("timeout", "care"), turn=7,
                   refusal="NOT_FILLED", refused="no rooms filled", filled_by="proposal"),
