@@ -136,6 +136,16 @@ def fem_shape_of(obj):
     return shape_in_whole(obj) if in_whole else shape
 
 
+def takes_no_node_group(constraint):
+    """Whether FEM seeks the element faces under a constraint by distance alone, whatever node groups the mesh has:
+    those of forces, contacts, ties and heat fluxes in 0.20 and 1.1, and in 1.1 of pressures."""
+    kind = getattr(getattr(constraint, "Proxy", None), "Type", None) or constraint.TypeId
+    kinds = {"Fem::ConstraintForce", "Fem::ConstraintContact", "Fem::ConstraintTie", "Fem::ConstraintHeatflux"}
+    if hasattr(fem_module("femmesh.meshtools"), "get_ccx_subelements_by_references"):     # pressures go by it in 1.1
+        kinds.add("Fem::ConstraintPressure")
+    return kind in kinds
+
+
 def solid_of_mesh_object(mesh_object):
     """The linked solid, or None."""
     for link in ("Shape", "Part"):
@@ -188,8 +198,8 @@ def ccx_preference():
 
 
 def set_quantity(obj, name, value, unit):
-    """Set a property that is a plain float in 0.20 (in N, MPa) and a quantity later on
-    (*unverified*), where a bare float would be taken in FreeCAD's own units."""
+    """Set a property that is a plain float in 0.20 (in N, MPa) and a quantity later on (in 1.1; when it became one is
+    *unverified*), where a bare float would be taken in FreeCAD's own units (mN, kPa)."""
     if hasattr(getattr(obj, name), "getValueAs"):
         setattr(obj, name, f"{value!r} {unit}")
     else:

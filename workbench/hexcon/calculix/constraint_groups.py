@@ -2,8 +2,9 @@
 """Node groups for FreeCAD's own constraints, where its distance test misses nodes of a hex mesh.
 
 FreeCAD seeks the nodes of a constraint within 1e-7 of its faces, unless the mesh has a node group whose name begins
-with the constraint's (constraints of nodes, and pressures). So that users need not know, groups are made whenever the
-references of a constraint change in an analysis with a hex mesh.
+with the constraint's (constraints of nodes, and before 1.1 pressures). So that users need not know, groups are made
+whenever the references of a constraint change in an analysis with a hex mesh. Where FreeCAD takes no group, what it
+leaves out is told in its report view.
 """
 from hexcon import freecad_compat
 from hexcon.femmesh.convert import add_group
@@ -36,7 +37,11 @@ class _Observer:
                 for mesh_object in (one for analysis in analyses_of(obj) for one in _meshes_in(analysis)):
                     name_nodes(mesh_object, [obj])
         except Exception as fault:      # FreeCAD would lose it in a callback, and the user's click is no place to fail
-            freecad_compat.freecad().Console.PrintWarning(f"HexCon: no node groups for {obj.Label}: {fault}\n")
+            _warn(f"no node groups for {obj.Label}: {fault}")
+
+
+def _warn(text):
+    freecad_compat.freecad().Console.PrintWarning(f"HexCon: {text}\n")
 
 
 def _is_busy(document):
@@ -61,7 +66,8 @@ def name_all(mesh_object):
 
 def name_nodes(mesh_object, constraints):
     """Give a mesh object of hexes a node group for each constraint on faces whose nodes FreeCAD would not all find, and
-    take those away that are of no use any more. Returns the names of the constraints with a group.
+    take those away that are of no use any more; warn where no group helps. Returns the names of the constraints with a
+    group.
 
     Meshes without groups Face1, Face2 ... stay as they are. Cost: FreeCAD's distance test for each referenced face.
     """
@@ -69,7 +75,7 @@ def name_nodes(mesh_object, constraints):
     groups = {femmesh.getGroupName(group): group for group in femmesh.Groups}
     if solid is None or not any(name.startswith("Face") for name in groups):
         return []
-    wanted = {one: _missed(femmesh, groups, solid, one) for one in constraints}
+    wanted = {one: _wanted(femmesh, groups, solid, one) for one in constraints}
     changed = {one: nodes for one, nodes in wanted.items()
                if nodes != _members(femmesh, groups.get(one.Name + ENDING))}
     if changed:
@@ -89,17 +95,23 @@ def _members(femmesh, group):
     return None if group is None else sorted(femmesh.getGroupElements(group))
 
 
-def _missed(femmesh, groups, solid, constraint):
-    """Sorted nodes of the mesh on a constraint's faces; None where FreeCAD finds them all by itself, where they are not
-    known, or where the user has made a group."""
-    if any(name.startswith(constraint.Name + "_") and not name.endswith(ENDING) for name in groups):
+def _wanted(femmesh, groups, solid, constraint):
+    """Sorted nodes of the mesh on a constraint's faces; None where FreeCAD finds all of each face by itself, where they
+    are not known, where the user has made a group, or where FreeCAD takes none, which is told."""
+    useless = freecad_compat.takes_no_node_group(constraint)
+    if not useless and any(name.startswith(constraint.Name + "_") and not name.endswith(ENDING) for name in groups):
         return None
-    right, found = set(), set()
+    sides, missed = [], 0
     for target, names in constraint.References:
         for name in names:
             if target != solid or not name.startswith("Face") or name not in groups:
                 return None
-            for face in femmesh.getGroupElements(groups[name]):
-                right.update(femmesh.getElementNodes(face))
-            found.update(nodes_found_by_freecad(femmesh, solid, name))
-    return sorted(right) if right - found else None
+            here = [set(femmesh.getElementNodes(face)) for face in femmesh.getGroupElements(groups[name])]
+            found = nodes_found_by_freecad(femmesh, solid, name)
+            sides, missed = sides + here, missed + sum(not side <= found for side in here)
+    if missed and useless:
+        _warn(f"FreeCAD will leave {missed} of {len(sides)} element faces out of {constraint.Label}: it seeks them by "
+              "their distance from the CAD face alone, and middle nodes of straight edges, or points off the CAD, are "
+              "too far. Mesh again with curved edges (order 2) or at order 1, or solve with HexCon, which loads all")
+        return None
+    return sorted(set().union(*sides)) if missed else None

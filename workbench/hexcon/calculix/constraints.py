@@ -97,10 +97,12 @@ def ensure_nodes(mesh_object, mesh, elements, solid, constraints):
     constraints  list of (constraint object, [face names])
     FreeCAD seeks nodes within 1e-7 of the CAD face. The middle nodes of straight edges
     (order 2) on a curved face lie off it; then FreeCAD takes a node group whose name
-    begins with "<constraint name>_". Returns notes for the report.
+    begins with "<constraint name>_", but for pressures in 1.1. Returns notes for the report.
     """
     notes, femmesh = [], None
     for constraint, names in constraints:
+        if freecad_compat.takes_no_node_group(constraint):
+            continue
         right, found = set(), set()
         for name in names:
             rows = elements.nodes_of_face(face_number(name))
