@@ -49,7 +49,7 @@ static void square_derivative(double derivative[3][18], int axis, double out[SQU
     for (int j = 0; j < sizes[1]; j++)
       for (int k = 0; k < sizes[2]; k++)
         at[n++] = strides[0] * i + strides[1] * j + k;
-  for (int a = 0; a < 18; a++)
+  for (int a = 0; a < n; a++)
     for (int b = 0; b <= a; b++) {
       double product = derivative[0][a] * derivative[0][b] + derivative[1][a] * derivative[1][b] +
                        derivative[2][a] * derivative[2][b];
