@@ -4,6 +4,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+
 from hexcon.quads.gmsh_worker.auto import taken
 from hexcon.quads.gmsh_worker.fault import WorkerFault
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Which surface method's mesh auto takes: the first that is made, unless its natural hexes are poor."""
-import hexcon_native as hn
 import numpy as np
+
+import hexcon_native as hn
 
 from .fault import WorkerFault
 from .smooth import space_quality
@@ -13,9 +14,9 @@ MUCH = 1.25     # times the least one so far: what another method's must be to b
 def taken(rows, made, notes, settled):
     """The arrays of the mesh that is taken, its notes with what became of all that was tried.
 
-    rows: of methods.METHOD_TABLE, in their order; made: callable(row, notes) -> arrays of result.npz, raises WorkerFault;
-    settled: callable(arrays), called with each mesh after which others are tried. Raises the fault of the last row, or the
-    first that is no row's refusal. Cost: of the methods, and linear.
+    rows: of methods.METHOD_TABLE, in their order; made: callable(row, notes) -> arrays of result.npz, raises
+    WorkerFault; settled: callable(arrays), called with each mesh after which others are tried. Raises the fault of the
+    last row, or the first that is no row's refusal. Cost: of the methods, and linear.
     """
     notes, best = list(notes), None
     for row in rows:
