@@ -86,7 +86,7 @@ lint-c:
 lint-python:
 	@$(python) scripts/lint_python.py
 	@mkdir -p build/stubs/hexcon_native && cp hexcon_native/__init__.pyi build/stubs/hexcon_native && \
-	  cp hexcon_native/errors.py build/stubs/hexcon_native/errors.pyi
+	  for one in errors core_builds; do cp hexcon_native/$$one.py build/stubs/hexcon_native/$$one.pyi; done
 	@cd build/stubs && PYTHONPATH=$(CURDIR) MYPYPATH=. $(python) -m mypy.stubtest --concise hexcon_native \
 	  --allowlist $(CURDIR)/scripts/stubtest.txt
 	PYTHONPATH=.:workbench $(python) scripts/make_docs.py --check
