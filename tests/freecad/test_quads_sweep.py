@@ -51,7 +51,7 @@ def _assert_counts(surface):
     assert np.array_equal(*valence)
 
 
-@pytest.mark.parametrize("maker,instead", [(quads_solids.filleted_box, "grid"),
+@pytest.mark.parametrize("maker,instead", [(quads_solids.filleted_box, "layered"),
                                            (quads_solids.two_way_bracket, "boxed"),
                                            (lambda: quads_solids.Part.makeSphere(5), "blocks")])
 def test_not_sweepable(maker, instead):

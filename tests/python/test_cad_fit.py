@@ -49,8 +49,8 @@ def test_a_coarse_cylinder(tmp_path):
     assert surface.fit.chord == pytest.approx(3 * (1 - np.cos(angle / 2)), rel=1e-6)
     assert surface.fit.edge_chord == pytest.approx(3 * (1 - np.cos(angle / 2)), rel=0.05)
     assert any("more than 1 %" in note for note in surface.notes)
-    finer = surface_from_solid(path, 2.0, "sweep", volume_error=0.02)
-    assert abs(finer.fit.volume) <= 0.022 and any("instead of 2" in note for note in finer.notes)
+    finer = surface_from_solid(path, 2.0, "sweep", volume_error=0.01)
+    assert abs(finer.fit.volume) <= 0.011 and any("as chords cut" in note for note in finer.notes)
     with pytest.raises(ToolError, match="volume_error") as caught:
         surface_from_solid(path, 2.0, volume_error=-1.0)
     assert caught.value.code is FaultCode.BAD_OPTION

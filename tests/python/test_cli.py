@@ -73,7 +73,8 @@ def test_a_solid_in_every_format(wedge, ending, order):
     found = facts("check", wedge(ending, order))
     assert found["certified"] and found["order"] == order
     assert (found["hexes"], found["quads"]) == (64, 112)
-    assert found["quality"]["min"] == pytest.approx(0.943858, abs=1e-6)
+    below = 1e-6 if order == 1 else 0.005       # of curved hexes it is a proved bound
+    assert 0.943858 - below < found["quality"]["min"] < 0.943858 + 1e-6
 
 
 def test_a_document(wedge, tmp_path):
@@ -245,7 +246,8 @@ def test_check_names_the_inverted_hex(tmp_path, order):
     mesh.hexes[1] = mesh.hexes[1, [4, 5, 6, 7, 0, 1, 2, 3]]
     files.write(mesh, tmp_path / "m.vtu", order=order)
     found = facts("check", tmp_path / "m.vtu", status=3)
-    assert found["certificate"]["nonpositive"] == [1] and found["quality"]["min"] == -1.0
+    assert found["certificate"]["nonpositive"] == [1]
+    assert found["quality"]["min"] == pytest.approx(-1.0, abs=1e-9)
     done = hexcon("check", tmp_path / "m.vtu")
     assert done.returncode == 3 and "NOT certified" in done.stdout
     assert "not positive  hexes 1\n" in done.stdout + "\n"

@@ -214,7 +214,8 @@ class Strategy:
 
 def _naming_pieces(mesh, pieces):
     """The mesh, its report telling of the pieces as of stages, unless it has stages of its own: a pillow, say."""
-    if sum(count for _, count in pieces) == len(mesh.hexes) and not any(k.startswith("hexes of") for k in mesh.report):
+    if pieces and sum(count for _, count in pieces) == len(mesh.hexes) and not any(
+            k.startswith("hexes of") for k in mesh.report):
         mesh.report.update({f"hexes of {name}": count for name, count in pieces})
     return mesh
 
