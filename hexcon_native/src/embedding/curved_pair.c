@@ -9,12 +9,11 @@
 
 #include <string.h>
 
+#include "cell_search.h"
 #include "cell_sharing.h"
 #include "curved_patch.h"
 #include "hulls.h"
 #include "patch_crossing.h"
-
-enum { CHILDREN = 16, MAX_WAITING = CHILDREN * (CELL_MAX_DEPTH + 1) };
 
 typedef struct curved_pair {
   curved_patch a, b;
@@ -22,10 +21,6 @@ typedef struct curved_pair {
   int partner[4];               /* of each corner of a: the same corner in b, or -1 */
   bool joint, itself;           /* itself: b is a */
 } curved_pair;
-
-typedef struct cells {
-  cell a, b;
-} cells;
 
 typedef ball control_points[CURVED_CONTROLS][3];
 
@@ -208,15 +203,12 @@ static bool neighbours_part(const shared *s, control_points a, control_points b)
   return s->count == 2 ? sides_part(from_a, from_b) : two_sides_part(from_a, from_b);
 }
 
-static bool is_same(const curved_pair *p, const cells *c) {
-  return p->itself && c->a.i == c->b.i && c->a.j == c->b.j;
-}
-
-static meeting judge(const curved_pair *p, const cells *c) {
+static meeting judge(void *pair, const cells *c) {
+  const curved_pair *p = pair;
   control_points a, b;
   shared s;
   curved_cell_controls(&p->a, &c->a, a);
-  if (is_same(p, c))
+  if (p->itself && cells_are_same(c))
     return cell_is_simple(a) ? MEETING_NONE : MEETING_OPEN;
   curved_cell_controls(&p->b, &c->b, b);
   if (p->itself)
@@ -226,37 +218,6 @@ static meeting judge(const curved_pair *p, const cells *c) {
   if (s.count == 0)
     return judge_distinct(p, c, a, b);
   return s.count < 4 && neighbours_part(&s, a, b) ? MEETING_NONE : MEETING_OPEN;
-}
-
-/** Of one cell with itself no pair twice. @return how many pairs wait then */
-static int push_children(const curved_pair *p, const cells *now, cells *waiting, int count) {
-  const bool same = is_same(p, now);
-  for (int child = 0; child < CHILDREN; child++)
-    if (!same || (child & 3) <= child >> 2)
-      waiting[count++] = (cells){cell_child(&now->a, child & 3), cell_child(&now->b, child >> 2)};
-  return count;
-}
-
-static meeting search(const curved_pair *p, int patience) {
-  cells waiting[MAX_WAITING];
-  int count = 1;
-  waiting[0] = (cells){{0, 0, 0}, {0, 0, 0}};
-  meeting found = MEETING_NONE;
-  for (int looked_at = 1; count > 0; looked_at++) {
-    cells now = waiting[--count];
-    meeting here = judge(p, &now);
-    if (here == MEETING_PROVED)
-      return here;
-    if (here == MEETING_NONE)
-      continue;
-    if (looked_at >= patience)
-      return MEETING_OPEN;
-    if (now.a.depth == CELL_MAX_DEPTH)
-      found = MEETING_OPEN;
-    else
-      count = push_children(p, &now, waiting, count);
-  }
-  return found;
 }
 
 static void nodes_of(const double *points, const int32_t ids[8], const double *nodes[8]) {
@@ -281,7 +242,7 @@ meeting curved_patches_meet(const double *points, const int32_t a[8], const int3
     patch_set(&p.straight_a, nodes_a, origin);
     patch_set(&p.straight_b, nodes_b, origin);
   }
-  return search(&p, patience);
+  return cell_search(judge, &p, p.itself, patience);
 }
 
 meeting curved_patch_meets_itself(const double *points, const int32_t ids[8], int patience) {
@@ -290,5 +251,5 @@ meeting curved_patch_meets_itself(const double *points, const int32_t ids[8], in
   nodes_of(points, ids, nodes);
   curved_patch_set(&p.a, nodes, nodes[0]);
   p.b = p.a;
-  return search(&p, patience);
+  return cell_search(judge, &p, p.itself, patience);
 }

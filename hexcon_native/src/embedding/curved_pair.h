@@ -4,8 +4,9 @@
 #define HEXCON_EMBEDDING_CURVED_PAIR_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
-#include "patch_pair.h"
+#include "meeting.h"
 
 /**
  * As patches_meet, of curved patches.

@@ -3,13 +3,12 @@
 
 #include <string.h>
 
+#include "cell_search.h"
 #include "cell_sharing.h"
 #include "hulls.h"
 #include "patch_crossing.h"
 #include "patch_neighbours.h"
 #include "patch_quadric.h"
-
-enum { CHILDREN = 16, MAX_WAITING = CHILDREN * (CELL_MAX_DEPTH + 1) };
 
 typedef struct pair {
   patch a, b;
@@ -17,10 +16,6 @@ typedef struct pair {
   int partner[4]; /* of each corner of a: the same corner in b, or -1 */
   bool has_quadrics;
 } pair;
-
-typedef struct cells {
-  cell a, b;
-} cells;
 
 /* ---------------------------------------------------------------------------- cells that are apart
  */
@@ -91,10 +86,8 @@ static meeting judge_distinct(pair *p, const cells *c, const shared *none) {
   return lines_cross(a, b) || lines_cross(b, a) ? MEETING_PROVED : MEETING_OPEN;
 }
 
-/* ------------------------------------------------------------------------------------- recursion
- */
-
-static meeting judge(pair *p, const cells *c) {
+static meeting judge(void *patches, const cells *c) {
+  pair *p = patches;
   shared s;
   shared_find(p->partner, &c->a, &c->b, &s);
   placed_cell a = {&p->a, c->a}, b = {&p->b, c->b};
@@ -116,30 +109,6 @@ static meeting judge(pair *p, const cells *c) {
   return parted || quadrics_part(p, c, &s) ? MEETING_NONE : MEETING_OPEN;
 }
 
-static meeting search(pair *p, int patience) {
-  cells waiting[MAX_WAITING];
-  int count = 1;
-  waiting[0] = (cells){{0, 0, 0}, {0, 0, 0}};
-  meeting found = MEETING_NONE;
-  for (int looked_at = 1; count > 0; looked_at++) {
-    cells now = waiting[--count];
-    meeting here = judge(p, &now);
-    if (here == MEETING_PROVED)
-      return here;
-    if (here == MEETING_NONE)
-      continue;
-    if (looked_at >= patience)
-      return MEETING_OPEN;
-    if (now.a.depth == CELL_MAX_DEPTH) {
-      found = MEETING_OPEN;
-      continue;
-    }
-    for (int child = 0; child < CHILDREN; child++)
-      waiting[count++] = (cells){cell_child(&now.a, child & 3), cell_child(&now.b, child >> 2)};
-  }
-  return found;
-}
-
 meeting patches_meet(const double *points, const int32_t a[4], const int32_t b[4], int patience) {
   pair p = {.has_quadrics = false};
   const double *corners_a[4], *corners_b[4], *origin = points + 3 * (size_t)a[0];
@@ -152,5 +121,5 @@ meeting patches_meet(const double *points, const int32_t a[4], const int32_t b[4
   }
   patch_set(&p.a, corners_a, origin);
   patch_set(&p.b, corners_b, origin);
-  return search(&p, patience);
+  return cell_search(judge, &p, false, patience);
 }

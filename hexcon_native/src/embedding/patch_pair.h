@@ -5,11 +5,7 @@
 
 #include <stdint.h>
 
-typedef enum meeting {
-  MEETING_NONE,   /**< proved: they have in common what they share, and nothing else */
-  MEETING_PROVED, /**< proved: they meet elsewhere */
-  MEETING_OPEN    /**< nearer to each other than rounding, or the effort, can tell */
-} meeting;
+#include "meeting.h"
 
 /**
  * Both patches are halved both ways until each pair of cells is proved apart, or one to cross the

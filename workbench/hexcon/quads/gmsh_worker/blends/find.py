@@ -6,6 +6,8 @@ As if the corner were sharp, such a cap is level, at the height of its other end
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
 from ..layered.roles import Role
 
@@ -47,20 +49,12 @@ def blends(cad, roles, direction):
 
 def _joined(faces, pairs):
     """[set of faces] that hang together by pairs of them, ordered."""
-    root = {f: f for f in faces}
-
-    def of(f):
-        while root[f] != f:
-            f = root[f]
-        return f
-    for a, b in pairs:
-        if a in root and b in root:
-            a, b = sorted((of(a), of(b)))
-            root[b] = a
-    groups = {}
-    for f in sorted(faces):
-        groups.setdefault(of(f), set()).add(f)
-    return [groups[f] for f in sorted(groups)]
+    order = sorted(faces)
+    place = {f: k for k, f in enumerate(order)}
+    ends = np.array([(place[a], place[b]) for a, b in pairs if a in place and b in place], int).reshape(-1, 2)
+    count, group = connected_components(
+        coo_matrix((np.ones(len(ends)), ends.T), shape=(len(order),) * 2), directed=False)
+    return [{order[k] for k in np.flatnonzero(group == one)} for one in range(count)]
 
 
 def _side_of(edge, faces, roles):
