@@ -2,10 +2,9 @@
 """A hex mesh with every hex in eight, the new points of its boundary on the CAD: so its quads are a subdivision."""
 import numpy as np
 
-_EDGES = np.array([[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4], [0, 4], [1, 5], [2, 6], [3, 7]])
-_SIDES = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
+from ..grid.captured import EDGES, FACES
 
-# edges of a side
+# edges of each of FACES
 _ROUND = np.array([[0, 1, 2, 3], [4, 5, 6, 7], [0, 9, 4, 8], [1, 10, 5, 9], [2, 11, 6, 10], [3, 8, 7, 11]])
 
 
@@ -14,8 +13,8 @@ def refined(shape, points, hexes, quads, faces):
 
     shape: roles.Shape whose faces own the quads. Linear, and a projection for each new point of the boundary.
     """
-    edges, of_hex = _named(hexes[:, _EDGES].reshape(-1, 2))
-    sides, of_side = _named(hexes[:, _SIDES].reshape(-1, 4))
+    edges, of_hex = _named(hexes[:, EDGES].reshape(-1, 2))
+    sides, of_side = _named(hexes[:, FACES].reshape(-1, 4))
     ring = np.stack([quads, np.roll(quads, -1, axis=1)], -1)
     of_quad = _found(edges, ring.reshape(-1, 2)).reshape(-1, 4)
     middle = _found(sides, quads)
@@ -79,7 +78,7 @@ def _eight(hexes, edges, sides, centres):
     """(8 H,8) hexes from corners (H,8), middles of edges (H,12), of sides (H,6) and of hexes (H,)."""
     lattice = np.empty((len(hexes), 3, 3, 3), int)
     place = np.array([(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2)])
-    for ids, corners in ((hexes, np.arange(8)[:, None]), (edges, _EDGES), (sides, _SIDES),
+    for ids, corners in ((hexes, np.arange(8)[:, None]), (edges, EDGES), (sides, FACES),
                          (centres[:, None], np.arange(8)[None])):
         x, y, z = (place[corners].mean(1)).astype(int).T
         lattice[:, x, y, z] = ids
