@@ -126,13 +126,13 @@ def _rough():
     return np.concatenate([top, np.array(walls)])
 
 
-def _triangles(cut):
-    """A cube of triangles, each whole or cut into three quads."""
+def _subdivided_triangles():
+    """A cube of triangles, each cut into three quads."""
     found = []
     for quad in _box((0, 0, 0), (1.5, 1.5, 1.5), (2, 2, 2)):
         for corners in (quad[[0, 1, 2]], quad[[0, 2, 3]]):
             middle, middles = corners.mean(axis=0), (corners + np.roll(corners, -1, axis=0)) / 2
-            found += [[corners[k], middles[k], middle, middles[k - 1]] for k in range(3)] if cut else []
+            found += [[corners[k], middles[k], middle, middles[k - 1]] for k in range(3)]
     return np.array(found)
 
 
@@ -163,7 +163,7 @@ def _auto():
 # by the names of hexcon.quads.METHOD_TABLE
 BODIES = {"auto": _auto, "sweep": _sweep, "blocks": _blocks, "revolved": _revolved, "layered": _layered,
           "boxed": _boxed, "filled": _filled, "grid": _rough, "subdivided": _subdivided,
-          "subdivided-triangles": lambda: _triangles(True), "blossom": _blossom, "transfinite": _transfinite}
+          "subdivided-triangles": _subdivided_triangles, "blossom": _blossom, "transfinite": _transfinite}
 
 
 def picture(name):
