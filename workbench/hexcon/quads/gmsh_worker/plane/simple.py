@@ -3,6 +3,8 @@
 import numpy as np
 from scipy.spatial import cKDTree
 
+from ..segments import on_segments
+
 TOUCH = 1e-9        # of a polygon's extent
 
 
@@ -41,6 +43,4 @@ def _side(a, b, p):
 
 
 def _distance(a, b, p):
-    d = b - a
-    t = (((p - a) * d).sum(1) / np.maximum((d * d).sum(1), 1e-300)).clip(0.0, 1.0)
-    return np.linalg.norm(a + t[:, None] * d - p, axis=1)
+    return np.linalg.norm(on_segments(p, a, b)[0] - p, axis=1)
