@@ -18,6 +18,14 @@ def weights_of_faces(n_nodes, n_faces):
     return np.array([quad_shape(n_nodes, u, v)[0] for v in along for u in along])
 
 
+def pieces_of_face(places):
+    """((k,4) quads, (m,) rim, round once) among a square number of places of a face, row by row."""
+    side = round(places ** 0.5)
+    place = np.arange(places).reshape(side, side)
+    pieces = np.stack([place[:-1, :-1], place[:-1, 1:], place[1:, 1:], place[1:, :-1]], -1).reshape(-1, 4)
+    return pieces, np.concatenate([place[0, :-1], place[:-1, -1], place[-1, :0:-1], place[:0:-1, 0]])
+
+
 def tessellated(points, faces):
     """What to draw of faces (f,4|8) of points (P,3): (points (p,3), quads (q,4), face_of_quad (q,), edges (e,2)).
 
@@ -29,10 +37,7 @@ def tessellated(points, faces):
     if not len(rows):
         return points, straight, np.arange(len(faces)), edges_of_quads(straight, len(points))
     weights = weights_of_faces(8, len(rows))
-    side = round(len(weights) ** 0.5)
-    place = np.arange(side * side).reshape(side, side)
-    pieces = np.stack([place[:-1, :-1], place[:-1, 1:], place[1:, 1:], place[1:, :-1]], -1).reshape(-1, 4)
-    rim = np.concatenate([place[0, :-1], place[:-1, -1], place[-1, :0:-1], place[:0:-1, 0]])
+    pieces, rim = pieces_of_face(len(weights))
     first = len(points) + len(weights) * np.arange(len(rows))[:, None, None]
     quads = (first + pieces).reshape(-1, 4)
     rims = (first + np.column_stack([rim, np.roll(rim, -1)])).reshape(-1, 2)

@@ -15,7 +15,7 @@ from hexcon.femmesh.hexahedron import FACES, FACES_8
 from hexcon.files import replace_file
 from hexcon.inspection.cutting import behind_plane, centres_of
 from hexcon.inspection.faces import bare_faces, neighbours
-from hexcon.inspection.tessellation import weights_of_faces
+from hexcon.inspection.tessellation import pieces_of_face, weights_of_faces
 from hexcon.interpreter import python
 
 _FOLDER = os.path.dirname(os.path.abspath(__file__))
@@ -87,10 +87,12 @@ def _faces_to_draw(elements, keep):
     across = neighbours(hexes[:, :8], len(elements.points))
     outside, shown = (bare_faces(across, one) for one in (np.ones(len(hexes), bool), keep))
     nodes = FACES if elements.order == 1 else FACES_8
+    weights = weights_of_faces(nodes.shape[1], len(outside[0]))
+    pieces, rim = pieces_of_face(len(weights))
     return {"outside": hexes[outside[0][:, None], nodes[outside[1]]],
             "shown": hexes[shown[0][:, None], nodes[shown[1]]],
             "shown_hexes": shown[0], "cut": not keep.all(),
-            "weights": weights_of_faces(nodes.shape[1], len(outside[0]))}
+            "weights": weights, "pieces": pieces, "rim": rim}
 
 
 def _round_factor(factor):

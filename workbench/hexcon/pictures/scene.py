@@ -49,16 +49,14 @@ def cells_of(starts, ids):
 class Patches:
     """Quads (q,4|8), curved where they have 8 nodes, each drawn in rows of flat pieces.
 
-    weights (r r, 4|8): the shape functions of the nodes at r x r places of a quad, row by row
+    weights (r r, 4|8): the shape functions of the nodes at r x r places of a quad, row by row; pieces (k,4), rim (m,):
+    quads among these places, and what is round all of them
     """
 
-    def __init__(self, quads, weights):
-        self._quads, self._weights = quads, weights
-        side = round(len(weights) ** 0.5)
-        place = np.arange(side * side).reshape(side, side)
-        self._first = len(weights) * np.arange(len(quads))[:, None]
-        self._pieces = np.stack([place[:-1, :-1], place[:-1, 1:], place[1:, 1:], place[1:, :-1]], -1).reshape(-1, 4)
-        self._rim = np.concatenate([place[0, :-1], place[:-1, -1], place[-1, :0:-1], place[::-1, 0]])
+    def __init__(self, job, name):
+        self._quads, self._weights, self._pieces = job[name], job["weights"], job["pieces"]
+        self._first = len(self._weights) * np.arange(len(self._quads))[:, None]
+        self._rim = np.append(job["rim"], job["rim"][0])
 
     def spread(self, values):
         """(q r r, ...) what the nodes' values (P, ...) are at the places."""
@@ -231,7 +229,7 @@ def fit_camera(made, points, aspect, view, free):
 def mesh_half(job):
     """(actors, points that must be seen) of the mesh with its cut."""
     points, quality = job["points"], job["quality"]
-    shown, whole = (Patches(job[name], job["weights"]) for name in ("shown", "outside"))
+    shown, whole = (Patches(job, name) for name in ("shown", "outside"))
     # round ends, so that the labels are round: 0 to 1, or from -0.2, -0.4, ... to 1
     steps = 5 + int(np.ceil(max(0.0, -float(quality.min())) / 0.2 - 1e-9))
     low = 1.0 - 0.2 * steps
@@ -253,7 +251,7 @@ def displaced_half(job):
     warp = float(job["warp"])
     size = np.linalg.norm(shift, axis=1)
     moved = points + warp * shift
-    lookup, patches = table(VIRIDIS, 0.0, float(size.max()) or 1.0), Patches(job["outside"], job["weights"])
+    lookup, patches = table(VIRIDIS, 0.0, float(size.max()) or 1.0), Patches(job, "outside")
     actors = [surface_actor(patches.surface(moved, size, on_points=True), lookup), edges_actor(patches, moved),
               outline_actor(patches, points),
               scalar_bar(lookup, "%-.3g", 6),
